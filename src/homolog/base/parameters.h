@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// Every parameter of the program: one struct per stage holds the defaults, one table says the rest (symbol, range, unit, sentence).
+// CLI flags, JSON, checks and the docs page all come from that table. No length is metric: all are relative to the shape or to r.
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace homolog {
+
+enum class Mirror { allow, forbid, only };
+enum class DescriptorKind { free, axial };  ///< |c_l| without a frame, |c_lm| about p (Sec. 5.2)
+enum class Shells { logarithmic, linear };
+enum class Seeds { pairs, quadruples };     ///< pairs of correspondences, or the paper's cliques of four (App. A, B)
+
+struct VoxelParams {
+  int resolution = 192;
+};
+
+struct SalientParams {
+  double sigma0 = 1.6;
+  int levels_per_octave = 3;
+  double threshold = 0.45;
+  double direction_radius = 2;
+  double direction_min = 0.12;
+};
+
+struct DescriptorParams {
+  DescriptorKind kind = DescriptorKind::free;
+  Shells shells = Shells::logarithmic;
+  int shell_count = 8;
+  int degree = 8;
+  double inner = 0.5;
+  double outer = 8;
+};
+
+struct MatchParams {
+  Seeds seeds = Seeds::pairs;
+  Mirror mirror = Mirror::allow;
+  int matches = 12;
+};
+
+struct Params {
+  VoxelParams voxel;
+  SalientParams salient;
+  DescriptorParams descriptor;
+  MatchParams match;
+  int threads = 0;
+};
+
+/// The paper's choices, with its equations corrected (docs/paper_map.md).
+Params paper_preset();
+
+/// One row of the parameter table.
+struct ParameterInfo {
+  std::string name, symbol, unit, sentence;
+  double min, max;                   ///< range of a number
+  std::vector<std::string> choices;  ///< the words of a choice; empty for numbers
+  bool integer;
+};
+
+using ParameterValue = std::variant<long, double, std::string>;
+
+/// All parameters, in the order in which outputs list them.
+const std::vector<ParameterInfo>& parameter_table();
+
+/// The value of a parameter by its name. Throws ParamError for an unknown name.
+ParameterValue get_parameter(const Params& params, const std::string& name);
+
+/// Sets a parameter from text. Throws ParamError for an unknown name, a malformed value or one out of range.
+void set_parameter(Params& params, const std::string& name, const std::string& value);
+
+/// A value as text: numbers shortest, so that reading gives the same number back.
+std::string to_text(const ParameterValue& value);
+
+/// Throws ParamError for the first value out of its range.
+void check(const Params& params);
+
+}  // namespace homolog

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Sec. 3: all that is known of one shape once it is described; matching needs nothing else.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "homolog/describe/descriptors.h"
+#include "homolog/salient/salient_point.h"
+#include "homolog/shape/volume.h"
+
+namespace homolog {
+
+struct Shape {
+  std::string name;                  ///< how outputs call it: the file's name without its folder
+  double diagonal = 0;               ///< of the bounding box of the part in use, in the file's units
+  Interior interior;
+  double guessed = 0;                ///< share of the volume that the voxeliser had to guess (open meshes), 0 to 1
+  std::vector<SalientPoint> points;  ///< X, strongest radius first
+  Descriptors descriptors;           ///< mu, parallel to points
+};
+
+}  // namespace homolog

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+// Sec. 6: a correct set of correspondences with its warp, and the family of them.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "homolog/base/vec.h"
+#include "homolog/match/thin_plate_spline.h"
+#include "homolog/salient/salient_point.h"
+
+namespace homolog {
+
+/// c = (x_i, x'_j): a pair of points held to be homologous.
+struct Correspondence {
+  int model = 0, data = 0;                ///< their places in Shape::points
+  SalientPoint model_point, data_point;
+  double descriptor_distance = 0;
+  double confidence = 0;                  ///< 0 to 1
+};
+
+enum class Handedness { proper, mirrored, ambiguous };
+const char* handedness_name(Handedness handedness);
+
+/// A correct set S (eq. 7 to 9), in the coordinates of the two files.
+struct Match {
+  std::vector<Correspondence> pairs;
+  ThinPlateSpline data_from_model;        ///< f_S
+  Mat4 similarity = Mat4::Identity();     ///< the similarity nearest to f_S; det < 0 when mirrored
+  double scale = 1;                       ///< of that similarity
+  Handedness handedness = Handedness::proper;
+  double confidence = 0;                  ///< that the match is right, 0 to 1
+  double bending = 0;                     ///< Delta(f_S) without unit: energy / (scale^2 * model diagonal)
+  double chamfer = 0;                     ///< eq. 9: mean distance of the mapped covered part to the data / data diagonal
+  double model_coverage = 0, data_coverage = 0;  ///< share of each shape's volume that the match explains
+};
+
+/// How many candidates each stage let through, in order; tells where the last one died.
+struct StageCounts {
+  std::vector<std::pair<std::string, long>> stages;
+};
+
+/// All matches, best first; empty when nothing was found.
+struct Family {
+  std::vector<Match> matches;
+  StageCounts counts;
+};
+
+}  // namespace homolog

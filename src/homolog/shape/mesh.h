@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// A triangle mesh as read from a file, in the file's own coordinates and units.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "homolog/base/vec.h"
+
+namespace homolog {
+
+struct Mesh {
+  std::vector<Vec3> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// An axis-aligned box.
+struct Box {
+  Vec3 min, max;
+  double diagonal() const { return (max - min).norm(); }
+};
+
+/// The smallest box around all vertices that a triangle uses. Throws ShapeError for a mesh without triangles.
+Box bounding_box(const Mesh& mesh);
+
+}  // namespace homolog
