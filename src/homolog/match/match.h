@@ -19,16 +19,16 @@ struct Correspondence {
   double descriptor_distance = 0;
   double confidence = 0;                  ///< 0 to 1
 };
+using CorrespondenceSet = std::vector<Correspondence>;
 
 enum class Handedness { proper, mirrored, ambiguous };
 const char* handedness_name(Handedness handedness);
 
 /// A correct set S (eq. 7 to 9), in the coordinates of the two files.
 struct Match {
-  std::vector<Correspondence> pairs;
+  CorrespondenceSet pairs;
   ThinPlateSpline data_from_model;        ///< f_S
-  Mat4 similarity = Mat4::Identity();     ///< the similarity nearest to f_S; det < 0 when mirrored
-  double scale = 1;                       ///< of that similarity
+  Similarity similarity;                  ///< the similarity nearest to f_S
   Handedness handedness = Handedness::proper;
   double confidence = 0;                  ///< that the match is right, 0 to 1
   double bending = 0;                     ///< Delta(f_S) without unit: energy / (scale^2 * model diagonal)

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Sec. 6.2.1: pruning of X x X' to the candidate correspondences C-hat.
+// Differs: each point keeps its nearest partners by descriptor, both ways, instead of a fixed threshold t_d (which has units).
+#pragma once
+
+#include <vector>
+
+#include "homolog/base/parameters.h"
+#include "homolog/describe/shape.h"
+#include "homolog/match/match.h"
+
+namespace homolog {
+
+/// Candidates ordered by (model, data) index. With params.descriptor_limit > 0 also eq. 7 applies.
+std::vector<Correspondence> find_candidates(const Shape& model, const Shape& data, const Params& params);
+
+}  // namespace homolog

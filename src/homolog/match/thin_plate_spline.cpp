@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// Sec. 6.1. The similarity-free spline needs only constants projected out of the kernel -r; its energy is quadratic in the targets and
+// its best similarity has a closed form (one SVD), see docs/paper_map.md.
+#include "homolog/match/thin_plate_spline.h"
+
+#include <Eigen/Dense>
+#include <limits>
+#include <stdexcept>
+
+namespace homolog {
+namespace {
+
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
+
+Rows rows_of(const std::vector<Vec3>& points) {
+  Rows rows(points.size(), 3);
+  for (std::size_t i = 0; i < points.size(); ++i) rows.row(i) = points[i];
+  return rows;
+}
+
+Eigen::MatrixXd kernel_matrix(const std::vector<Vec3>& points, Kernel kernel) {
+  const Eigen::Index n = points.size();
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    for (Eigen::Index j = 0; j < i; ++j) K(i, j) = K(j, i) = phi(kernel, (points[i] - points[j]).norm());
+  }
+  return K;
+}
+
+void require(bool condition, const char* message) {
+  if (!condition) throw std::invalid_argument(message);
+}
+
+void store_weights(ThinPlateSpline& spline, const std::vector<Vec3>& sources, const Rows& W) {
+  spline.centres = sources;
+  for (Eigen::Index i = 0; i < W.rows(); ++i) spline.weights.push_back(W.row(i));
+}
+
+}  // namespace
+
+double phi(Kernel kernel, double distance) { return kernel == Kernel::r ? distance : distance * distance * distance; }
+
+ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets) {
+  require(sources.size() == targets.size() && sources.size() >= 4, "an affine-free spline needs at least four pairs");
+  const Eigen::Index n = sources.size();
+  ThinPlateSpline spline;
+  spline.kernel = Kernel::r3;
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n + 4, n + 4);
+  L.topLeftCorner(n, n) = kernel_matrix(sources, Kernel::r3);
+  L.topRightCorner(n, 1).setOnes();
+  L.block(0, n + 1, n, 3) = rows_of(sources);
+  L.bottomLeftCorner(4, n) = L.topRightCorner(n, 4).transpose();
+  Rows right = Rows::Zero(n + 4, 3);
+  right.topRows(n) = rows_of(targets);
+  const Eigen::FullPivLU<Eigen::MatrixXd> lu(L);
+  if (!lu.isInvertible()) {
+    spline.energy = std::numeric_limits<double>::infinity();
+    return spline;
+  }
+  const Rows solution = lu.solve(right);
+  const Rows W = solution.topRows(n);
+  store_weights(spline, sources, W);
+  spline.affine.col(3) = solution.row(n);
+  spline.affine.leftCols<3>() = solution.bottomRows<3>().transpose();
+  spline.energy = std::max(0.0, (W.transpose() * L.topLeftCorner(n, n) * W).trace());
+  return spline;
+}
+
+ThinPlateSpline ThinPlateSpline::similarity_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets, Chirality chirality,
+                                                 const std::vector<double>& nugget) {
+  require(sources.size() == targets.size() && sources.size() == nugget.size() && sources.size() >= 2,
+          "a similarity-free spline needs at least two pairs");
+  const Eigen::Index n = sources.size();
+  const Rows X = rows_of(sources), Y = rows_of(targets);
+  Eigen::MatrixXd bordered = Eigen::MatrixXd::Ones(n + 1, n + 1);  // [K 1; 1' 0] with K = -|x_i - x_j| + nugget
+  bordered.topLeftCorner(n, n) = -kernel_matrix(sources, Kernel::r);
+  bordered.topLeftCorner(n, n).diagonal() += Eigen::Map<const Eigen::VectorXd>(nugget.data(), n);
+  bordered(n, n) = 0;
+  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(bordered);
+
+  Rows right = Rows::Zero(n + 1, 3);
+  right.topRows(n) = X;
+  const Rows MX = lu.solve(right).topRows(n);  // M is the upper block of the inverse: constants are projected out
+  right.topRows(n) = Y;
+  const Rows MY = lu.solve(right).topRows(n);
+  const Eigen::JacobiSVD<Mat3> svd(Y.transpose() * MX, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec3 D(1, 1, 1);
+  const double wanted = chirality == Chirality::proper ? 1 : -1;
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * wanted < 0) D.z() = -1;
+  const double spread = (X.transpose() * MX).trace();
+  const double trace = svd.singularValues().dot(D);
+
+  ThinPlateSpline spline;
+  spline.similarity.rotation = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
+  spline.similarity.scale = trace / spread;
+  const Mat3 A = spline.similarity.scale * spline.similarity.rotation;
+  right.topRows(n) = Y - X * A.transpose();
+  const Rows solution = lu.solve(right);
+  store_weights(spline, sources, -solution.topRows(n));  // -phi is the positive kernel
+  spline.similarity.shift = solution.row(n);
+  spline.affine.leftCols<3>() = A;
+  spline.affine.col(3) = spline.similarity.shift;
+  spline.energy = std::max(0.0, (Y.transpose() * MY).trace() - trace * trace / spread);
+  return spline;
+}
+
+Vec3 ThinPlateSpline::operator()(const Vec3& x) const {
+  Vec3 y = affine.leftCols<3>() * x + affine.col(3);
+  for (std::size_t k = 0; k < centres.size(); ++k) y += weights[k] * phi(kernel, (x - centres[k]).norm());
+  return y;
+}
+
+}  // namespace homolog
