@@ -10,10 +10,8 @@
 namespace homolog {
 namespace {
 
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, 3>;
-
-Rows rows_of(const std::vector<Vec3>& points) {
-  Rows rows(points.size(), 3);
+Eigen::MatrixX3d rows_of(const std::vector<Vec3>& points) {
+  Eigen::MatrixX3d rows(points.size(), 3);
   for (std::size_t i = 0; i < points.size(); ++i) rows.row(i) = points[i];
   return rows;
 }
@@ -31,7 +29,7 @@ void require(bool condition, const char* message) {
   if (!condition) throw std::invalid_argument(message);
 }
 
-void store_weights(ThinPlateSpline& spline, const std::vector<Vec3>& sources, const Rows& W) {
+void store_weights(ThinPlateSpline& spline, const std::vector<Vec3>& sources, const Eigen::MatrixX3d& W) {
   spline.centres = sources;
   for (Eigen::Index i = 0; i < W.rows(); ++i) spline.weights.push_back(W.row(i));
 }
@@ -50,15 +48,15 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   L.topRightCorner(n, 1).setOnes();
   L.block(0, n + 1, n, 3) = rows_of(sources);
   L.bottomLeftCorner(4, n) = L.topRightCorner(n, 4).transpose();
-  Rows right = Rows::Zero(n + 4, 3);
+  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n + 4, 3);
   right.topRows(n) = rows_of(targets);
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(L);
   if (!lu.isInvertible()) {
     spline.energy = std::numeric_limits<double>::infinity();
     return spline;
   }
-  const Rows solution = lu.solve(right);
-  const Rows W = solution.topRows(n);
+  const Eigen::MatrixX3d solution = lu.solve(right);
+  const Eigen::MatrixX3d W = solution.topRows(n);
   store_weights(spline, sources, W);
   spline.affine.col(3) = solution.row(n);
   spline.affine.leftCols<3>() = solution.bottomRows<3>().transpose();
@@ -66,23 +64,30 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   return spline;
 }
 
-ThinPlateSpline ThinPlateSpline::similarity_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets, Chirality chirality,
-                                                 const std::vector<double>& nugget) {
-  require(sources.size() == targets.size() && sources.size() == nugget.size() && sources.size() >= 2,
-          "a similarity-free spline needs at least two pairs");
-  const Eigen::Index n = sources.size();
-  const Rows X = rows_of(sources), Y = rows_of(targets);
-  Eigen::MatrixXd bordered = Eigen::MatrixXd::Ones(n + 1, n + 1);  // [K 1; 1' 0] with K = -|x_i - x_j| + nugget
-  bordered.topLeftCorner(n, n) = -kernel_matrix(sources, Kernel::r);
+SourceSystem::SourceSystem(std::vector<Vec3> sources, const std::vector<double>& nugget) : sources_(std::move(sources)) {
+  require(sources_.size() == nugget.size() && sources_.size() >= 2, "a similarity-free spline needs at least two sources");
+  const Eigen::Index n = sources_.size();
+  Eigen::MatrixXd bordered = Eigen::MatrixXd::Ones(n + 1, n + 1);
+  bordered.topLeftCorner(n, n) = -kernel_matrix(sources_, Kernel::r);
   bordered.topLeftCorner(n, n).diagonal() += Eigen::Map<const Eigen::VectorXd>(nugget.data(), n);
   bordered(n, n) = 0;
-  const Eigen::PartialPivLU<Eigen::MatrixXd> lu(bordered);
+  inverse_ = bordered.partialPivLu().inverse();
+}
 
-  Rows right = Rows::Zero(n + 1, 3);
-  right.topRows(n) = X;
-  const Rows MX = lu.solve(right).topRows(n);  // M is the upper block of the inverse: constants are projected out
-  right.topRows(n) = Y;
-  const Rows MY = lu.solve(right).topRows(n);
+Eigen::MatrixX3d SourceSystem::solve(const Eigen::MatrixX3d& values) const { return inverse_.leftCols(values.rows()) * values; }
+
+double SourceSystem::variance(const Vec3& x) const {
+  const Eigen::Index n = sources_.size();
+  Eigen::VectorXd k = Eigen::VectorXd::Ones(n + 1);
+  for (Eigen::Index i = 0; i < n; ++i) k[i] = -(x - sources_[i]).norm();
+  return std::max(0.0, -k.dot(inverse_ * k));
+}
+
+ThinPlateSpline ThinPlateSpline::similarity_free(const SourceSystem& system, const std::vector<Vec3>& targets, Chirality chirality) {
+  const Eigen::Index n = system.sources().size();
+  require(targets.size() == system.sources().size(), "a spline needs as many targets as sources");
+  const Eigen::MatrixX3d X = rows_of(system.sources()), Y = rows_of(targets);
+  const Eigen::MatrixX3d MX = system.solve(X).topRows(n), MY = system.solve(Y).topRows(n);  // M: constants are projected out
   const Eigen::JacobiSVD<Mat3> svd(Y.transpose() * MX, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vec3 D(1, 1, 1);
   const double wanted = chirality == Chirality::proper ? 1 : -1;
@@ -94,9 +99,8 @@ ThinPlateSpline ThinPlateSpline::similarity_free(const std::vector<Vec3>& source
   spline.similarity.rotation = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
   spline.similarity.scale = trace / spread;
   const Mat3 A = spline.similarity.scale * spline.similarity.rotation;
-  right.topRows(n) = Y - X * A.transpose();
-  const Rows solution = lu.solve(right);
-  store_weights(spline, sources, -solution.topRows(n));  // -phi is the positive kernel
+  const Eigen::MatrixX3d solution = system.solve(Y - X * A.transpose());
+  store_weights(spline, system.sources(), -solution.topRows(n));  // -phi is the positive kernel
   spline.similarity.shift = solution.row(n);
   spline.affine.leftCols<3>() = A;
   spline.affine.col(3) = spline.similarity.shift;

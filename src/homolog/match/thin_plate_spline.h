@@ -4,6 +4,7 @@
 // trace[W'KV] is trace[W'KW] (docs/paper_map.md).
 #pragma once
 
+#include <Eigen/Core>
 #include <vector>
 
 #include "homolog/base/vec.h"
@@ -24,6 +25,23 @@ struct Similarity {
 
 enum class Chirality { proper, mirrored };
 
+/// The matrix [K 1; 1' 0] with K_kl = -|x_k - x_l| + nugget_k, solved once for many targets: the spline of kernel -r about the sources,
+/// where `nugget[k]` >= 0 (units of length) says how far the value at source k may be missed. Needs n >= 2 different sources.
+class SourceSystem {
+ public:
+  SourceSystem(std::vector<Vec3> sources, const std::vector<double>& nugget);
+
+  /// Solution rows (w_1 .. w_n, t) for values given at the sources (n x 3).
+  Eigen::MatrixX3d solve(const Eigen::MatrixX3d& values) const;
+  /// Variance of the spline's prediction at x in units of length: about the distance to the nearest sources.
+  double variance(const Vec3& x) const;
+  const std::vector<Vec3>& sources() const { return sources_; }
+
+ private:
+  std::vector<Vec3> sources_;
+  Eigen::MatrixXd inverse_;
+};
+
 class ThinPlateSpline {
  public:
   /// The identity.
@@ -33,10 +51,9 @@ class ThinPlateSpline {
   /// lie in a plane (else the energy is infinite).
   static ThinPlateSpline affine_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets);
 
-  /// phi = r, only a similarity of the given chirality is free of cost, so affine change is charged too. `nugget[k]` >= 0 (units of
-  /// length) lets the spline miss target k, for noisy points; the fit is then an approximation. Needs n >= 2 different sources.
-  static ThinPlateSpline similarity_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets, Chirality chirality,
-                                         const std::vector<double>& nugget);
+  /// phi = r, only a similarity of the given chirality is free of cost, so affine change is charged too. With nuggets the fit is an
+  /// approximation.
+  static ThinPlateSpline similarity_free(const SourceSystem& system, const std::vector<Vec3>& targets, Chirality chirality);
 
   Vec3 operator()(const Vec3& x) const;
 
