@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/write_file.h"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::UnorderedElementsAre;
+
+struct WriteFile : testing::Test {
+  fs::path folder =
+      fs::path(testing::TempDir()) / ("write_file_test_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+
+  void SetUp() override {
+    fs::remove_all(folder);
+    fs::create_directories(folder);
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  std::string read(const std::string& name) const {
+    std::ostringstream text;
+    text << std::ifstream(folder / name, std::ios::binary).rdbuf();
+    return text.str();
+  }
+  std::vector<std::string> names() const {
+    std::vector<std::string> found;
+    for (const auto& entry : fs::directory_iterator(folder)) found.push_back(entry.path().filename().string());
+    return found;
+  }
+};
+
+TEST_F(WriteFile, WritesBytesAsTheyAreAndReplacesWhatWasThere) {
+  write_file(folder / "a.txt", "a much longer old text");
+  const std::string bytes("one\r\n\0two", 9);
+  write_file(folder / "a.txt", bytes);
+  EXPECT_EQ(read("a.txt"), bytes);
+  EXPECT_THAT(names(), UnorderedElementsAre("a.txt"));
+}
+
+TEST_F(WriteFile, WritesSeveral) {
+  write_files({{folder / "a", "1"}, {folder / "b", ""}});
+  EXPECT_EQ(read("a"), "1");
+  EXPECT_THAT(names(), UnorderedElementsAre("a", "b"));
+}
+
+TEST_F(WriteFile, ChangesNothingWhenOneOfThemCannotBeWritten) {
+  write_file(folder / "a", "old");
+  fs::create_directory(folder / "b");
+  EXPECT_THROW(write_files({{folder / "a", "new"}, {folder / "b", "new"}}), OutputError);
+  EXPECT_EQ(read("a"), "old");
+  EXPECT_THAT(names(), UnorderedElementsAre("a", "b"));
+}
+
+TEST_F(WriteFile, NamesTheFileAndTheReason) {
+  write_file(folder / "file", "");
+  try {
+    write_file(folder / "file" / "below.txt", "text");
+    FAIL() << "a file below a file was written";
+  } catch (const OutputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("below.txt"));
+    EXPECT_THAT(error.what(), HasSubstr("Not a directory"));
+  }
+}
+
+}  // namespace
+}  // namespace homolog
