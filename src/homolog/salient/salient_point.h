@@ -7,11 +7,11 @@
 namespace homolog {
 
 struct SalientPoint {
-  Vec3 position = Vec3::Zero();   ///< x_i
-  double radius = 0;              ///< r_i, the radius of the ball that would answer at this scale
-  Vec3 direction = Vec3::UnitZ(); ///< p_i, unit length; eq. 3
-  double direction_length = 0;    ///< |x_i - Mean(B cap O)| / r_i: how far p_i can be trusted; 0 means no direction
-  double response = 0;            ///< |L_norm| as a share of a ball's: ball 1, cylinder .79, plate .52, plane .26
+  Vec3 position = Vec3::Zero();    ///< x_i
+  double radius = 0;               ///< r_i, the radius of the ball that would answer at this scale
+  Vec3 direction = Vec3::UnitZ();  ///< p_i, unit length; eq. 3
+  double direction_length = 0;     ///< |x_i - Mean(B cap O)| / r_i: how far p_i can be trusted; 0 means no direction
+  double response = 0;             ///< |L_norm| as a share of a ball's: ball 1, cylinder .79, plate .52, plane .26
 };
 
 }  // namespace homolog

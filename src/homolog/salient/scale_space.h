@@ -12,17 +12,25 @@
 
 namespace homolog {
 
-/// One octave: levels[s] = (G(k sigma_s) - G(sigma_s)) * chi / ln k / (-0.925), the response as a share of a ball's, at scale sigmas[s] (world
-/// units, geometric mean of the two blurs).
+/// One octave of S + 2 levels on one grid, L_norm as a share of a ball's: levels[i] = (G(k s_i) - G(s_i)) * chi / ln k / ball_response(k)
+/// at sigmas[i] = s_i sqrt(k), in world units. Minima of L_norm are maxima here. Levels 1 to S belong to this octave; level 0 repeats
+/// the octave below and level S + 1 begins the one above.
 struct Octave {
   std::vector<Volume<float>> levels;
   std::vector<double> sigmas;
 };
 
-/// The response of a ball's centre at its own scale, sqrt(2/pi) 3 sqrt(3) exp(-3/2) = 0.925.
-double ball_response();
+/// (G(k s) - G(s)) * chi / ln k in the centre of a unit ball, read at sigma = s sqrt(k); tends to -sqrt(2/pi) sigma^-3 exp(-1/(2 sigma^2)).
+double ball_level(double sigma, double k);
 
-/// Calls visit(octave) for every octave from fine to coarse; only one octave is held at a time.
+/// The scale at which a ball of radius r answers strongest is r / radius_factor(k): sqrt(3 ln k / sinh ln k), sqrt(3) in the limit.
+double radius_factor(double k);
+
+/// The ball's strongest response, ball_level(1 / radius_factor(k), k); tends to -sqrt(2/pi) 3 sqrt(3) exp(-3/2) = -0.925.
+double ball_response(double k);
+
+/// Calls visit(octave) for every octave from fine to coarse, until a ball as large as the shape's box is covered; only one is held at a
+/// time.
 void for_each_octave(const Interior& interior, const SalientParams& params, const std::function<void(const Octave&)>& visit);
 
 }  // namespace homolog

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+// Sec. 4.3: quadratic refinement in space at the refined scale, then in scale at the refined place.
+#include "homolog/salient/refine_peak.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace homolog {
+namespace {
+
+constexpr int kCorrectionSteps = 64;  // each way
+constexpr int kMostMoves = 4;         // to a neighbouring voxel
+
+// The response around a voxel to second order.
+struct Quadratic {
+  double value = 0;
+  Vec3 gradient = Vec3::Zero();
+  Mat3 hessian = Mat3::Zero();
+  double at(const Vec3& d) const { return value + gradient.dot(d) + d.dot(hessian * d) / 2; }
+};
+
+Quadratic quadratic_at(const Volume<float>& level, const std::array<int, 3>& v) {
+  const std::ptrdiff_t step[3] = {1, level.frame.size[0], static_cast<std::ptrdiff_t>(level.frame.size[0]) * level.frame.size[1]};
+  const float* f = &level.at(v[0], v[1], v[2]);
+  Quadratic q;
+  q.value = f[0];
+  for (int a = 0; a < 3; ++a) {
+    q.gradient[a] = (double(f[step[a]]) - f[-step[a]]) / 2;
+    q.hessian(a, a) = double(f[step[a]]) + f[-step[a]] - 2.0 * f[0];
+    for (int b = 0; b < a; ++b) {
+      const double alike = double(f[step[a] + step[b]]) + f[-step[a] - step[b]],
+                   unlike = double(f[step[a] - step[b]]) + f[step[b] - step[a]];
+      q.hessian(a, b) = q.hessian(b, a) = (alike - unlike) / 4;
+    }
+  }
+  return q;
+}
+
+// Height and offset of the top of the parabola through (-1, a), (0, b), (1, c); the middle if there is no top.
+struct Top {
+  double offset, value;
+};
+Top parabola_top(double a, double b, double c) {
+  const double bend = a - 2 * b + c;
+  if (bend >= 0) return {0, b};
+  const double offset = std::clamp((a - c) / (2 * bend), -1.0, 1.0);
+  return {offset, b + offset * (c - a) / 2 + offset * offset * bend / 2};
+}
+
+// Three levels around a voxel, and between them by the parabola through the three.
+struct Stack {
+  std::array<Quadratic, 3> levels;
+
+  Quadratic at(double s) const {
+    const double below = s * (s - 1) / 2, here = 1 - s * s, above = s * (s + 1) / 2;
+    Quadratic q;
+    q.value = below * levels[0].value + here * levels[1].value + above * levels[2].value;
+    q.gradient = below * levels[0].gradient + here * levels[1].gradient + above * levels[2].gradient;
+    q.hessian = below * levels[0].hessian + here * levels[1].hessian + above * levels[2].hessian;
+    return q;
+  }
+  Top scale_top(const Vec3& d) const { return parabola_top(levels[0].at(d), levels[1].at(d), levels[2].at(d)); }
+};
+
+Stack stack_at(const Octave& octave, int level, const std::array<int, 3>& voxel) {
+  return {{quadratic_at(octave.levels[level - 1], voxel), quadratic_at(octave.levels[level], voxel),
+           quadratic_at(octave.levels[level + 1], voxel)}};
+}
+
+// Newton's step to the maximum, at most one cell. Along a direction in which the response hardly bends (a ridge) it stays where it is.
+Vec3 step_to_top(const Quadratic& q) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> eigen(q.hessian);
+  const double strongest = -eigen.eigenvalues()[0];
+  Vec3 step = Vec3::Zero();
+  for (int a = 0; a < 3; ++a) {
+    const double bend = -eigen.eigenvalues()[a];
+    if (bend <= 1e-3 * strongest) continue;
+    step += eigen.eigenvectors().col(a) * (eigen.eigenvectors().col(a).dot(q.gradient) / bend);
+  }
+  return step / std::max(1.0, step.cwiseAbs().maxCoeff());
+}
+
+bool inside_margin(const GridFrame& frame, const std::array<int, 3>& v) {
+  return frame.contains(v[0] - 1, v[1] - 1, v[2] - 1) && frame.contains(v[0] + 1, v[1] + 1, v[2] + 1);
+}
+
+}  // namespace
+
+ScaleCorrection::ScaleCorrection(double k) {
+  const double best = 1 / radius_factor(k);
+  for (int i = -kCorrectionSteps; i <= kCorrectionSteps; ++i) {
+    const double middle = best * std::pow(k, -double(i) / kCorrectionSteps);  // the ball's best scale lies i / steps above this level
+    const Top top = parabola_top(-ball_level(middle / k, k), -ball_level(middle, k), -ball_level(middle * k, k));
+    parabola_offsets_.push_back(top.offset);
+  }
+}
+
+double ScaleCorrection::operator()(double parabola_offset) const {
+  const auto above = std::lower_bound(parabola_offsets_.begin(), parabola_offsets_.end(), parabola_offset);
+  if (above == parabola_offsets_.begin()) return -1;
+  if (above == parabola_offsets_.end()) return 1;
+  const double share = (parabola_offset - above[-1]) / (above[0] - above[-1]);
+  return (static_cast<double>(above - parabola_offsets_.begin()) - 1 + share) / kCorrectionSteps - 1;
+}
+
+SalientPoint refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction) {
+  std::array<int, 3> voxel = peak.voxel;
+  Stack stack = stack_at(octave, peak.level, voxel);
+  Top top{0, stack.levels[1].value};
+  Vec3 d = Vec3::Zero();
+  for (int move = 0; move < kMostMoves; ++move) {
+    d = step_to_top(stack.at(top.offset));
+    top = stack.scale_top(d);
+    if (d.cwiseAbs().maxCoeff() <= 0.6) continue;  // same voxel: the next round only settles place and scale together
+    std::array<int, 3> next = voxel;
+    for (int a = 0; a < 3; ++a) next[a] += static_cast<int>(std::lround(d[a]));
+    if (!inside_margin(octave.levels[0].frame, next)) break;
+    voxel = next;
+    stack = stack_at(octave, peak.level, voxel);
+    d.setZero();
+  }
+  SalientPoint point;
+  point.position = octave.levels[0].frame.world_from_voxel(Vec3(voxel[0], voxel[1], voxel[2]) + d);
+  point.radius = radius_factor(k) * octave.sigmas[peak.level] * std::pow(k, correction(top.offset));
+  point.response = top.value;
+  return point;
+}
+
+}  // namespace homolog
