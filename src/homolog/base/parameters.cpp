@@ -28,33 +28,66 @@ Row row(ParameterInfo info, Field field) {
           [field](const Params& p) { return static_cast<double>(field(const_cast<Params&>(p))); }};
 }
 
-#define HOMOLOG_FIELD(member) [](Params& p) -> auto& { return p.member; }
+#define HOMOLOG_FIELD(member) \
+  [](Params & p) -> auto& { return p.member; }
 
 // Name, symbol, unit, sentence, min, max, choices. The defaults stand in the structs of the header.
 const std::vector<Row>& rows() {
   static const std::vector<Row> table = {
-      row({"resolution", "N", "voxels", "Voxels along the longest side of a shape.", 32, 1024, {}, true},
-          HOMOLOG_FIELD(voxel.resolution)),
-      row({"sigma0", "sigma_0", "voxels", "Finest blur of the scale space; the smallest radius found is about 2.2 of it.", 0.8, 8, {}, false},
+      row({"resolution", "N", "voxels", "Voxels along the longest side of a shape.", 32, 1024, {}, true}, HOMOLOG_FIELD(voxel.resolution)),
+      row({"sigma0",
+           "sigma_0",
+           "voxels",
+           "Finest blur of the scale space; the smallest radius found is about 2.2 of it.",
+           0.8,
+           8,
+           {},
+           false},
           HOMOLOG_FIELD(salient.sigma0)),
       row({"levels-per-octave", "S", "", "Scales per doubling; k = 2^(1/S).", 2, 8, {}, true}, HOMOLOG_FIELD(salient.levels_per_octave)),
-      row({"threshold", "t_L", "share of a ball's response", "Weakest response of a salient point; a plane answers .26, a plate .52, a cylinder .79.",
-           0.1, 1, {}, false},
+      row({"threshold",
+           "t_L",
+           "share of a ball's response",
+           "Weakest response of a salient point; a plane answers .26, a plate .52, a cylinder .79.",
+           0.1,
+           1,
+           {},
+           false},
           HOMOLOG_FIELD(salient.threshold)),
       row({"direction-radius", "rho_0", "r", "Radius of the ball whose centre of mass gives the direction p (eq. 2, 3).", 1, 4, {}, false},
           HOMOLOG_FIELD(salient.direction_radius)),
       row({"direction-min", "t_p", "r", "Shorter offsets of that centre of mass give no direction.", 0, 1, {}, false},
           HOMOLOG_FIELD(salient.direction_min)),
-      row({"descriptor", "mu", "", "What descriptors compare: norms free of any frame, or amplitudes about the axis p.", 0, 0, {"free", "axial"}, true},
+      row({"descriptor",
+           "mu",
+           "",
+           "What descriptors compare: norms free of any frame, or amplitudes about the axis p.",
+           0,
+           0,
+           {"free", "axial"},
+           true},
           HOMOLOG_FIELD(descriptor.kind)),
-      row({"shells", "", "", "Spacing of the descriptor's shells.", 0, 0, {"logarithmic", "linear"}, true}, HOMOLOG_FIELD(descriptor.shells)),
+      row({"shells", "", "", "Spacing of the descriptor's shells.", 0, 0, {"logarithmic", "linear"}, true},
+          HOMOLOG_FIELD(descriptor.shells)),
       row({"shell-count", "n", "", "Number of concentric shells.", 1, 32, {}, true}, HOMOLOG_FIELD(descriptor.shell_count)),
       row({"degree", "l_max", "", "Highest degree of the spherical harmonics.", 1, 16, {}, true}, HOMOLOG_FIELD(descriptor.degree)),
       row({"inner", "R_min", "r", "Radius of the innermost shell.", 0.1, 4, {}, false}, HOMOLOG_FIELD(descriptor.inner)),
       row({"outer", "rho", "r", "Radius of the outermost shell.", 1, 32, {}, false}, HOMOLOG_FIELD(descriptor.outer)),
-      row({"seeds", "Q", "", "What sets grow from: pairs of correspondences, or the paper's cliques of four.", 0, 0, {"pairs", "quadruples"}, true},
+      row({"seeds",
+           "Q",
+           "",
+           "What sets grow from: pairs of correspondences, or the paper's cliques of four.",
+           0,
+           0,
+           {"pairs", "quadruples"},
+           true},
           HOMOLOG_FIELD(match.seeds)),
-      row({"mirror", "", "", "Whether a match may be a mirror image.", 0, 0, {"allow", "forbid", "only"}, true}, HOMOLOG_FIELD(match.mirror)),
+      row({"partners", "k", "", "Partners by descriptor that each point keeps, both ways.", 1, 100, {}, true},
+          HOMOLOG_FIELD(match.partners)),
+      row({"bending", "tau", "model diagonals", "How far shapes may bend: rigid copies .003, posed bodies .015.", 0.0001, 1, {}, false},
+          HOMOLOG_FIELD(match.bending)),
+      row({"mirror", "", "", "Whether a match may be a mirror image.", 0, 0, {"allow", "forbid", "only"}, true},
+          HOMOLOG_FIELD(match.mirror)),
       row({"matches", "n", "", "Most matches in the family.", 1, 100, {}, true}, HOMOLOG_FIELD(match.matches)),
   };
   return table;
@@ -75,8 +108,9 @@ std::string range_text(const ParameterInfo& info) {
 
 void check_value(const ParameterInfo& info, double value, const std::string& text) {
   const bool bad = !(value >= info.min && value <= info.max) || (info.integer && value != std::floor(value));
-  if (bad) throw ParamError(fmt::format("parameter '{}' is '{}', but must be {}{}", info.name, text,
-                                        info.integer && info.choices.empty() ? "a whole number from " : "", range_text(info)));
+  if (bad)
+    throw ParamError(fmt::format("parameter '{}' is '{}', but must be {}{}", info.name, text,
+                                 info.integer && info.choices.empty() ? "a whole number from " : "", range_text(info)));
 }
 
 double parse_value(const ParameterInfo& info, const std::string& text) {

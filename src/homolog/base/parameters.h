@@ -12,7 +12,7 @@ namespace homolog {
 enum class Mirror { allow, forbid, only };
 enum class DescriptorKind { free, axial };  ///< |c_l| without a frame, |c_lm| about p (Sec. 5.2)
 enum class Shells { logarithmic, linear };
-enum class Seeds { pairs, quadruples };     ///< pairs of correspondences, or the paper's cliques of four (App. A, B)
+enum class Seeds { pairs, quadruples };  ///< pairs of correspondences, or the paper's cliques of four (App. A, B)
 
 struct VoxelParams {
   int resolution = 192;
@@ -37,6 +37,8 @@ struct DescriptorParams {
 
 struct MatchParams {
   Seeds seeds = Seeds::pairs;
+  int partners = 10;
+  double bending = 0.015;
   Mirror mirror = Mirror::allow;
   int matches = 12;
 };

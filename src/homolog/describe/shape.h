@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "homolog/describe/body.h"
 #include "homolog/describe/descriptors.h"
 #include "homolog/salient/salient_point.h"
 #include "homolog/shape/volume.h"
@@ -12,12 +13,15 @@
 namespace homolog {
 
 struct Shape {
-  std::string name;                  ///< how outputs call it: the file's name without its folder
-  double diagonal = 0;               ///< of the bounding box of the part in use, in the file's units
+  std::string name;     ///< how outputs call it: the file's name without its folder
+  double diagonal = 0;  ///< of the bounding box of the part in use, in the file's units
   Interior interior;
-  double guessed = 0;                ///< share of the volume that the voxeliser had to guess (open meshes), 0 to 1
-  std::vector<SalientPoint> points;  ///< X, strongest radius first
-  Descriptors descriptors;           ///< mu, parallel to points
+  double guessed = 0;                  ///< share of the volume that the voxeliser had to guess (open meshes), 0 to 1
+  std::vector<SalientPoint> points;    ///< X, strongest radius first
+  Descriptors descriptors;             ///< mu, parallel to points
+  std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
+  Body body;                           ///< joins the first of these samples and the points inside the solid
+  Eigen::MatrixXd inner_distance;      ///< shortest ways inside, point to point
 };
 
 }  // namespace homolog

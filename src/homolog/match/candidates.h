@@ -11,7 +11,7 @@
 
 namespace homolog {
 
-/// Candidates ordered by (model, data) index. With params.descriptor_limit > 0 also eq. 7 applies.
-std::vector<Correspondence> find_candidates(const Shape& model, const Shape& data, const Params& params);
+/// Candidates ordered by (model, data) index.
+CorrespondenceSet find_candidates(const Shape& model, const Shape& data, const Params& params);
 
 }  // namespace homolog

@@ -14,12 +14,21 @@ namespace homolog {
 
 /// c = (x_i, x'_j): a pair of points held to be homologous.
 struct Correspondence {
-  int model = 0, data = 0;                ///< their places in Shape::points
+  int model = 0, data = 0;  ///< their places in Shape::points
   SalientPoint model_point, data_point;
   double descriptor_distance = 0;
-  double confidence = 0;                  ///< 0 to 1
+  double confidence = 0;  ///< 0 to 1
 };
 using CorrespondenceSet = std::vector<Correspondence>;
+
+/// What the refined map tells about a match (evidence.h).
+struct Evidence {
+  double model_reached = 0;      ///< share of the model's skin that comes to lie on the data's, normals agreeing
+  double data_reached = 0;       ///< share of the data's skin on which the model comes to lie
+  double data_near_reached = 0;  ///< the same, of the data's skin near the mapped model
+  double stretch = 0;            ///< spread of the logarithms of how lengths inside the body change
+  double growth_score = 0;       ///< of the set before refinement
+};
 
 enum class Handedness { proper, mirrored, ambiguous };
 const char* handedness_name(Handedness handedness);
@@ -27,13 +36,14 @@ const char* handedness_name(Handedness handedness);
 /// A correct set S (eq. 7 to 9), in the coordinates of the two files.
 struct Match {
   CorrespondenceSet pairs;
-  ThinPlateSpline data_from_model;        ///< f_S
-  Similarity similarity;                  ///< the similarity nearest to f_S
+  ThinPlateSpline data_from_model;  ///< f_S
+  Similarity similarity;            ///< the similarity nearest to f_S
   Handedness handedness = Handedness::proper;
-  double confidence = 0;                  ///< that the match is right, 0 to 1
-  double bending = 0;                     ///< Delta(f_S) without unit: energy / (scale^2 * model diagonal)
-  double chamfer = 0;                     ///< eq. 9: mean distance of the mapped covered part to the data / data diagonal
-  double model_coverage = 0, data_coverage = 0;  ///< share of each shape's volume that the match explains
+  double confidence = 0;  ///< that the match is right, 0 to 1
+  double bending = 0;     ///< Delta(f_S) without unit: energy / (scale^2 * model diagonal)
+  double chamfer = 0;     ///< eq. 9: mean distance of the mapped covered part to the data / data diagonal
+  Evidence evidence;
+  double model_coverage = 0, data_coverage = 0;  ///< share of each shape's skin that the match explains
 };
 
 /// How many candidates each stage let through, in order; tells where the last one died.

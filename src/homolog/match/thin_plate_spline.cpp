@@ -71,16 +71,20 @@ SourceSystem::SourceSystem(std::vector<Vec3> sources, const std::vector<double>&
   bordered.topLeftCorner(n, n) = -kernel_matrix(sources_, Kernel::r);
   bordered.topLeftCorner(n, n).diagonal() += Eigen::Map<const Eigen::VectorXd>(nugget.data(), n);
   bordered(n, n) = 0;
-  inverse_ = bordered.partialPivLu().inverse();
+  lu_.compute(bordered);
 }
 
-Eigen::MatrixX3d SourceSystem::solve(const Eigen::MatrixX3d& values) const { return inverse_.leftCols(values.rows()) * values; }
+Eigen::MatrixX3d SourceSystem::solve(const Eigen::MatrixX3d& values) const {
+  Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(values.rows() + 1, 3);
+  right.topRows(values.rows()) = values;
+  return lu_.solve(right);
+}
 
 double SourceSystem::variance(const Vec3& x) const {
   const Eigen::Index n = sources_.size();
   Eigen::VectorXd k = Eigen::VectorXd::Ones(n + 1);
   for (Eigen::Index i = 0; i < n; ++i) k[i] = -(x - sources_[i]).norm();
-  return std::max(0.0, -k.dot(inverse_ * k));
+  return std::max(0.0, -k.dot(lu_.solve(k)));
 }
 
 ThinPlateSpline ThinPlateSpline::similarity_free(const SourceSystem& system, const std::vector<Vec3>& targets, Chirality chirality) {

@@ -4,7 +4,7 @@
 // trace[W'KV] is trace[W'KW] (docs/paper_map.md).
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
 #include "homolog/base/vec.h"
@@ -39,7 +39,7 @@ class SourceSystem {
 
  private:
   std::vector<Vec3> sources_;
-  Eigen::MatrixXd inverse_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };
 
 class ThinPlateSpline {

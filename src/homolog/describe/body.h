@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A light graph of a solid: surface samples and salient points, joined where the way between them runs inside.
+// Limbs that touch or stand close are not joined; opposite sides of one limb are. Distances along it do not change when a body bends.
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "homolog/describe/surface_samples.h"
+#include "homolog/salient/salient_point.h"
+#include "homolog/shape/volume.h"
+
+namespace homolog {
+
+struct Body {
+  std::vector<Vec3> nodes;                   ///< surface samples first, then the salient points
+  std::vector<Vec3> normals;                 ///< outward; zero at salient points
+  std::vector<std::vector<int>> neighbours;  ///< symmetric
+  std::size_t surface_count = 0;
+  double spacing = 0;  ///< typical distance of neighbouring surface samples
+
+  std::size_t point_node(std::size_t point) const { return surface_count + point; }
+};
+
+/// Joins the first `surface_count` samples and all points.
+Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
+                const std::vector<SalientPoint>& points);
+
+/// Lengths of the shortest ways inside the body between all salient points; infinite between separate pieces.
+Eigen::MatrixXd inner_distances(const Body& body, const Interior& interior);
+
+}  // namespace homolog

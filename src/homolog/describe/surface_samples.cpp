@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/describe/surface_samples.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+
+namespace homolog {
+namespace {
+
+constexpr std::size_t crowd = 16000;  // farthest-point sampling looks at no more surface voxels than this
+
+bool on_surface(const Interior& interior, int i, int j, int k) {
+  if (interior.at(i, j, k) < 0.5f) return false;
+  const int steps[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
+  return std::any_of(std::begin(steps), std::end(steps), [&](const int* s) {
+    const int a = i + s[0], b = j + s[1], c = k + s[2];
+    return !interior.frame.contains(a, b, c) || interior.at(a, b, c) < 0.5f;
+  });
+}
+
+// Multiplicative hashing spreads the choice over the grid without a random generator.
+std::uint32_t scattered(std::size_t index) { return static_cast<std::uint32_t>(index) * 2654435761u; }
+
+std::vector<Vec3> surface_voxels(const Interior& interior) {
+  std::vector<std::pair<std::uint32_t, Vec3>> all;
+  const auto& size = interior.frame.size;
+  for (int k = 0; k < size[2]; ++k) {
+    for (int j = 0; j < size[1]; ++j) {
+      for (int i = 0; i < size[0]; ++i) {
+        if (on_surface(interior, i, j, k)) all.emplace_back(scattered(interior.frame.index(i, j, k)), Vec3(i, j, k));
+      }
+    }
+  }
+  const auto by_hash = [](const auto& a, const auto& b) { return a.first < b.first; };
+  std::sort(all.begin(), all.end(), by_hash);
+  std::vector<Vec3> chosen;
+  for (std::size_t n = 0; n < std::min(crowd, all.size()); ++n) chosen.push_back(interior.frame.world_from_voxel(all[n].second));
+  return chosen;
+}
+
+// The gradient over two voxels, and the place on it where coverage falls to one half.
+SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
+  const double h = interior.frame.spacing;
+  Vec3 gradient;
+  for (int a = 0; a < 3; ++a) {
+    const Vec3 step = 1.5 * h * Vec3::Unit(a);
+    gradient[a] = sample(interior, voxel_centre + step) - sample(interior, voxel_centre - step);
+  }
+  if (gradient.norm() < 1e-3) return {voxel_centre, Vec3::Zero()};
+  const Vec3 normal = -gradient.normalized();
+  Vec3 place = voxel_centre;
+  for (int step = 0; step < 8 && sample(interior, place) > 0.5f; ++step) place += 0.25 * h * normal;
+  return {place, normal};
+}
+
+}  // namespace
+
+std::vector<SurfaceSample> sample_surface(const Interior& interior, int count) {
+  const std::vector<Vec3> voxels = surface_voxels(interior);
+  std::vector<SurfaceSample> samples;
+  if (voxels.empty()) return samples;
+  Vec3 centre = Vec3::Zero();
+  for (const Vec3& v : voxels) centre += v / static_cast<double>(voxels.size());
+  std::vector<double> distance(voxels.size());
+  for (std::size_t i = 0; i < voxels.size(); ++i) distance[i] = (voxels[i] - centre).squaredNorm();
+  for (std::size_t i = 0; i < voxels.size(); ++i) {
+    const std::size_t next = std::max_element(distance.begin(), distance.end()) - distance.begin();
+    if (distance[next] <= 0 || static_cast<int>(samples.size()) == count) break;
+    const bool first = samples.empty() && i == 0;
+    for (std::size_t n = 0; n < voxels.size(); ++n) {
+      const double d = (voxels[n] - voxels[next]).squaredNorm();
+      distance[n] = first ? d : std::min(distance[n], d);
+    }
+    const SurfaceSample settled = settle(interior, voxels[next]);
+    if (settled.normal.squaredNorm() > 0.5) samples.push_back(settled);
+  }
+  return samples;
+}
+
+}  // namespace homolog

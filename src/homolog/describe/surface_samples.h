@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Even samples of a solid's surface with outward normals, taken from the voxels so that the mesh's tessellation does not matter.
+#pragma once
+
+#include <vector>
+
+#include "homolog/base/vec.h"
+#include "homolog/shape/volume.h"
+
+namespace homolog {
+
+struct SurfaceSample {
+  Vec3 position, normal;  ///< world coordinates; unit length, outward
+};
+
+/// Up to `count` samples in farthest-point order, so that every prefix is even too.
+std::vector<SurfaceSample> sample_surface(const Interior& interior, int count);
+
+}  // namespace homolog

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/candidates.h"
+
+#include <algorithm>
+
+#include "homolog/base/parallel.h"
+
+namespace homolog {
+namespace {
+
+// Marks the `kept` smallest of the distances that `entry(n)` gives for n < count.
+template <class Entry, class Mark>
+void mark_nearest(int count, int kept, Entry entry, Mark mark) {
+  std::vector<std::pair<double, int>> order;
+  for (int n = 0; n < count; ++n) order.emplace_back(entry(n), n);
+  std::sort(order.begin(), order.end());
+  for (int n = 0; n < std::min(kept, count); ++n) mark(order[n].second);
+}
+
+}  // namespace
+
+CorrespondenceSet find_candidates(const Shape& model, const Shape& data, const Params& params) {
+  const int rows = static_cast<int>(model.points.size()), columns = static_cast<int>(data.points.size());
+  Eigen::MatrixXd distance(rows, columns);
+  parallel_for(rows, [&](std::size_t i) {
+    for (int j = 0; j < columns; ++j)
+      distance(i, j) = descriptor_distance(model.descriptors[i], data.descriptors[j], params.descriptor.kind);
+  });
+  Eigen::MatrixXi chosen = Eigen::MatrixXi::Zero(rows, columns);
+  const int kept = params.match.partners;
+  for (int i = 0; i < rows; ++i) {
+    mark_nearest(
+        columns, kept, [&](int j) { return distance(i, j); }, [&](int j) { chosen(i, j) = 1; });
+  }
+  for (int j = 0; j < columns; ++j) {
+    mark_nearest(
+        rows, kept, [&](int i) { return distance(i, j); }, [&](int i) { chosen(i, j) = 1; });
+  }
+  CorrespondenceSet candidates;
+  for (int i = 0; i < rows; ++i) {
+    for (int j = 0; j < columns; ++j) {
+      if (chosen(i, j)) candidates.push_back({i, j, model.points[i], data.points[j], distance(i, j), 0});
+    }
+  }
+  return candidates;
+}
+
+}  // namespace homolog

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/cloth.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+#include <algorithm>
+#include <cmath>
+
+namespace homolog {
+namespace {
+
+constexpr double anchor_weight = 2;
+constexpr double outlier_share = 0.1;  // of the expected sum of weights: what has no partner is not drawn anywhere
+constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
+
+// Best local rotation of the wanted chirality, and the local scale drawn half way to the cloth's.
+void fit_local_frames(Cloth& cloth, const Body& model) {
+  const double wanted = cloth.chirality == Chirality::proper ? 1 : -1;
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    Mat3 covariance = Mat3::Zero();
+    double before = 0, after = 0;
+    for (int j : model.neighbours[i]) {
+      const Vec3 edge = model.nodes[j] - model.nodes[i], image = cloth.nodes[j] - cloth.nodes[i];
+      covariance += image * edge.transpose();
+      before += edge.squaredNorm();
+      after += image.squaredNorm();
+    }
+    if (before == 0) continue;
+    const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    Vec3 D(1, 1, 1);
+    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * wanted < 0) D.z() = -1;
+    cloth.rotations[i] = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
+    const double measured = std::clamp(std::sqrt(after / before), 0.25 * cloth.scale, 4 * cloth.scale);
+    cloth.scales[i] = std::sqrt(measured * cloth.scale);
+  }
+}
+
+// What the data's samples ask of every skin node: a place, and how strongly.
+struct Pull {
+  std::vector<Vec3> place;
+  std::vector<double> mass;
+};
+
+Pull assign(const Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double reach) {
+  const Eigen::Index rows = model.surface_count, columns = data.size();
+  Eigen::MatrixXf weight(rows, columns);
+  const float inverse = static_cast<float>(0.5 / (reach * reach));
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const Eigen::Vector3f y = cloth.nodes[i].cast<float>();
+    const Eigen::Vector3f n = (cloth.rotations[i] * model.normals[i]).cast<float>();
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      const float square = (data[k].position.cast<float>() - y).squaredNorm() * inverse;
+      const float agreement = n.dot(data[k].normal.cast<float>());
+      weight(i, k) = square > 12 || agreement <= 0 ? 0 : std::exp(-square) * agreement * agreement;
+    }
+  }
+  const Eigen::VectorXf row_sums = weight.rowwise().sum(), column_sums = weight.colwise().sum().transpose();
+  const float row_outlier = static_cast<float>(outlier_share) * row_sums.mean() + 1e-12f;
+  const float column_outlier = static_cast<float>(outlier_share) * column_sums.mean() + 1e-12f;
+  Pull pull{std::vector<Vec3>(rows, Vec3::Zero()), std::vector<double>(rows, 0)};
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    for (Eigen::Index k = 0; k < columns; ++k) {
+      if (weight(i, k) == 0) continue;
+      const double share = 0.5 * weight(i, k) * (1 / (row_sums[i] + row_outlier) + 1 / (column_sums[k] + column_outlier));
+      pull.place[i] += share * data[k].position;
+      pull.mass[i] += share;
+    }
+    if (pull.mass[i] > 0) pull.place[i] /= pull.mass[i];
+  }
+  return pull;
+}
+
+using Sparse = Eigen::SparseMatrix<double>;
+
+// lambda * Laplacian + masses + anchors.
+Sparse system_matrix(const Body& model, const Pull& pull, const std::vector<Anchor>& anchors, double stiffness) {
+  const int n = static_cast<int>(model.nodes.size());
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int i = 0; i < n; ++i) {
+    double diagonal = 1e-9 + stiffness * static_cast<double>(model.neighbours[i].size());
+    if (i < static_cast<int>(pull.mass.size())) diagonal += pull.mass[i];
+    entries.emplace_back(i, i, diagonal);
+    for (int j : model.neighbours[i]) entries.emplace_back(i, j, -stiffness);
+  }
+  for (const Anchor& anchor : anchors) entries.emplace_back(anchor.node, anchor.node, anchor_weight);
+  Sparse matrix(n, n);
+  matrix.setFromTriplets(entries.begin(), entries.end());
+  return matrix;
+}
+
+Eigen::MatrixX3d right_side(const Cloth& cloth, const Body& model, const Pull& pull, const std::vector<Anchor>& anchors, double stiffness) {
+  Eigen::MatrixX3d right(model.nodes.size(), 3);
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    Vec3 sum = 1e-9 * cloth.nodes[i];
+    for (int j : model.neighbours[i]) {
+      const Mat3 frame = 0.5 * (cloth.scales[i] * cloth.rotations[i] + cloth.scales[j] * cloth.rotations[j]);
+      sum += stiffness * (frame * (model.nodes[i] - model.nodes[j]));
+    }
+    if (i < pull.mass.size()) sum += pull.mass[i] * pull.place[i];
+    right.row(i) = sum;
+  }
+  for (const Anchor& anchor : anchors) right.row(anchor.node) += anchor_weight * anchor.place;
+  return right;
+}
+
+}  // namespace
+
+Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
+  Cloth cloth;
+  cloth.chirality = chirality;
+  cloth.scale = data_from_model.similarity.scale;
+  for (const Vec3& node : model.nodes) cloth.nodes.push_back(data_from_model(node));
+  cloth.rotations.assign(model.nodes.size(), data_from_model.similarity.rotation);
+  cloth.scales.assign(model.nodes.size(), cloth.scale);
+  fit_local_frames(cloth, model);
+  return cloth;
+}
+
+void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
+                const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
+  Eigen::SimplicialLDLT<Sparse> solver;
+  for (int step = 0; step < schedule.iterations; ++step) {
+    const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
+    const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
+    const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
+    const Pull pull = assign(cloth, model, data, reach);
+    const Sparse matrix = system_matrix(model, pull, anchors, stiffness);
+    if (step == 0) solver.analyzePattern(matrix);
+    solver.factorize(matrix);
+    for (int inner = 0; inner < shape_steps; ++inner) {
+      const Eigen::MatrixX3d places = solver.solve(right_side(cloth, model, pull, anchors, stiffness));
+      for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.nodes[i] = places.row(i);
+      fit_local_frames(cloth, model);
+    }
+  }
+}
+
+}  // namespace homolog

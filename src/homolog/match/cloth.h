@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: the model's body laid over the data like a stiff cloth. Nodes keep the local shape of the body (as rigid as
+// possible, Sorkine & Alexa 2007) while soft two-way assignment draws the skin on to the data's skin.
+// In: a start for every node. Out: refined nodes and the dense evidence that ranks matches.
+#pragma once
+
+#include <vector>
+
+#include "homolog/describe/body.h"
+#include "homolog/match/thin_plate_spline.h"
+
+namespace homolog {
+
+/// Where the nodes of the model's body lie in the data.
+struct Cloth {
+  std::vector<Vec3> nodes;      ///< mapped Body::nodes, data coordinates
+  std::vector<Mat3> rotations;  ///< local, of the wanted chirality
+  std::vector<double> scales;   ///< local
+  Chirality chirality = Chirality::proper;
+  double scale = 1;  ///< of the whole
+};
+
+/// A node that shall lie at a place.
+struct Anchor {
+  std::size_t node;
+  Vec3 place;
+};
+
+/// From wide to narrow and from stiff to soft, in geometric steps; lengths in data diagonals.
+struct ClothSchedule {
+  int iterations;
+  double first_reach, last_reach;
+  double first_stiffness, last_stiffness;
+};
+
+/// Lays the body by the spline, without looking at the data.
+Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality);
+
+/// Draws the cloth on to the data's surface samples.
+void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
+                const std::vector<Anchor>& anchors, const ClothSchedule& schedule);
+
+}  // namespace homolog

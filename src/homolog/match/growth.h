@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// Sec. 6.2.2: growing a seed into a maximal set of correspondences that bends space little.
+// Differs: instead of cliques of candidates that each go with the seed, the set's own spline predicts place, spread and size of every
+// further point; the likeliest candidate joins and the spline is laid anew (docs/paper_map.md). One-to-one by construction.
+#pragma once
+
+#include <vector>
+
+#include "homolog/describe/shape.h"
+#include "homolog/match/match.h"
+#include "homolog/match/seeds.h"
+
+namespace homolog {
+
+/// A grown set before refinement.
+struct GrownSet {
+  CorrespondenceSet pairs;
+  Chirality chirality = Chirality::proper;
+  ThinPlateSpline spline;
+  double score = 0;  ///< sum over pairs of 1 - cost / limit: count minus costs
+};
+
+GrownSet grow_seed(const Seed& seed, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model, const Shape& data,
+                   double bending);
+
+}  // namespace homolog
