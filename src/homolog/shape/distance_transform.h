@@ -6,8 +6,8 @@
 
 namespace homolog {
 
-/// Distance of every voxel centre, in world units, to the nearest voxel centre with coverage >= 1/2; 0 inside. A grid without inside gives +inf.
-/// Exact, O(voxels): Felzenszwalb & Huttenlocher 2012.
+/// Distance of every voxel centre, in world units, to the nearest voxel centre with coverage >= 1/2; 0 inside. A grid without inside gives
+/// +inf. Exact, O(voxels): Felzenszwalb & Huttenlocher 2012.
 Volume<float> distance_transform(const Interior& interior);
 
 }  // namespace homolog

@@ -17,7 +17,7 @@ struct Mesh {
 
 /// An axis-aligned box.
 struct Box {
-  Vec3 min, max;
+  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
   double diagonal() const { return (max - min).norm(); }
 };
 

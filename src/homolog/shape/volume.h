@@ -18,9 +18,7 @@ struct GridFrame {
 
   std::size_t voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
   std::size_t index(int i, int j, int k) const { return (static_cast<std::size_t>(k) * size[1] + j) * size[0] + i; }
-  bool contains(int i, int j, int k) const {
-    return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2];
-  }
+  bool contains(int i, int j, int k) const { return i >= 0 && j >= 0 && k >= 0 && i < size[0] && j < size[1] && k < size[2]; }
   Vec3 world_from_voxel(const Vec3& v) const { return origin + spacing * v; }
   Vec3 voxel_from_world(const Vec3& x) const { return (x - origin) / spacing; }
 };

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/orient.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "homolog/shape/ray_crossing.h"
+#include "homolog/shape/weld.h"
+
+namespace homolog {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+constexpr double most_open = 0.25;  // |sum of area vectors| / area, 0 when closed, 1 for a flat patch: beyond it, volume says nothing
+
+/// One side of a triangle: `key` names the edge whichever way it runs.
+struct Side {
+  std::uint64_t key;
+  std::uint32_t triangle;
+  bool forward;
+};
+
+struct Component {
+  std::vector<std::uint32_t> triangles;
+  Box box;
+  double volume = 0;
+  bool solid = false;   // closed enough for its volume to have a sign
+  bool turned = false;  // to be turned as a whole
+};
+
+std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& vertex) {
+  std::vector<Side> sides;
+  sides.reserve(3 * triangles.size());
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint64_t a = vertex[triangles[t][k]], b = vertex[triangles[t][(k + 1) % 3]];
+      sides.push_back({std::min(a, b) << 32 | std::max(a, b), t, a < b});
+    }
+  }
+  std::sort(sides.begin(), sides.end(),
+            [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.triangle < b.triangle; });
+  return sides;
+}
+
+/// Calls body(first, last) for the sides of every edge.
+template <class Body>
+void for_each_edge(const std::vector<Side>& sides, const Body& body) {
+  for (std::size_t first = 0, last = 0; first < sides.size(); first = last) {
+    while (last < sides.size() && sides[last].key == sides[first].key) ++last;
+    body(first, last);
+  }
+}
+
+struct Neighbour {
+  std::uint32_t triangle = std::numeric_limits<std::uint32_t>::max();
+  bool disagrees = false;
+};
+
+/// Up to three neighbours of every triangle, over edges that exactly two triangles share.
+std::vector<std::array<Neighbour, 3>> find_neighbours(const std::vector<Side>& sides, std::size_t triangle_count) {
+  std::vector<std::array<Neighbour, 3>> neighbours(triangle_count);
+  std::vector<std::uint8_t> count(triangle_count, 0);
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    if (last - first != 2) return;
+    const Side &a = sides[first], &b = sides[first + 1];
+    neighbours[a.triangle][count[a.triangle]++] = {b.triangle, a.forward == b.forward};
+    neighbours[b.triangle][count[b.triangle]++] = {a.triangle, a.forward == b.forward};
+  });
+  return neighbours;
+}
+
+void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
+
+/// Floods every component from its first triangle, turning triangles to agree with it; then turns it back if that turned most of its area.
+std::vector<Component> flood(std::vector<Triangle>& triangles, const std::vector<std::array<Neighbour, 3>>& neighbours, const Mesh& mesh) {
+  std::vector<Component> components;
+  std::vector<std::uint8_t> seen(triangles.size(), 0), turned(triangles.size(), 0);
+  for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
+    if (seen[seed]) continue;
+    Component component;
+    component.triangles.push_back(seed);
+    seen[seed] = 1;
+    double kept = 0;
+    for (std::size_t next = 0; next < component.triangles.size(); ++next) {
+      const std::uint32_t t = component.triangles[next];
+      const Vec3 &a = mesh.vertices[triangles[t][0]], &b = mesh.vertices[triangles[t][1]], &c = mesh.vertices[triangles[t][2]];
+      kept += (turned[t] ? -1 : 1) * (b - a).cross(c - a).norm();
+      for (const Neighbour& neighbour : neighbours[t]) {
+        if (neighbour.triangle >= triangles.size() || seen[neighbour.triangle]) continue;
+        seen[neighbour.triangle] = 1;
+        turned[neighbour.triangle] = turned[t] != neighbour.disagrees;
+        component.triangles.push_back(neighbour.triangle);
+      }
+    }
+    for (const std::uint32_t t : component.triangles) {
+      if ((turned[t] != 0) == (kept >= 0)) turn(triangles[t]);
+    }
+    components.push_back(std::move(component));
+  }
+  return components;
+}
+
+void measure(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  const Vec3& origin = mesh.vertices[triangles[component.triangles[0]][0]];
+  component.box = {origin, origin};
+  for (const std::uint32_t t : component.triangles) {
+    for (const std::uint32_t corner : triangles[t]) {
+      component.box.min = component.box.min.cwiseMin(mesh.vertices[corner]);
+      component.box.max = component.box.max.cwiseMax(mesh.vertices[corner]);
+    }
+  }
+  const Vec3 centre = (component.box.min + component.box.max) / 2;
+  Vec3 area_vector = Vec3::Zero();
+  double area = 0;
+  for (const std::uint32_t t : component.triangles) {
+    const Vec3 a = mesh.vertices[triangles[t][0]] - centre, b = mesh.vertices[triangles[t][1]] - centre,
+               c = mesh.vertices[triangles[t][2]] - centre;
+    const Vec3 normal = (b - a).cross(c - a);
+    area_vector += normal;
+    area += normal.norm();
+    component.volume += a.dot(b.cross(c)) / 6;
+  }
+  component.solid = area_vector.norm() < most_open * area;
+}
+
+bool lies_in(const Vec3& point, const Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  int winding = 0;
+  for (const std::uint32_t t : outer.triangles) {
+    const auto& [a, b, c] = triangles[t];
+    winding += crossing_beyond(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], point);
+  }
+  return winding != 0;
+}
+
+/// Whether one solid lies wholly in another one, judged at a few of its corners.
+bool lies_in(const Component& inner, const Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  if ((inner.box.min.array() <= outer.box.min.array()).any() || (inner.box.max.array() >= outer.box.max.array()).any()) return false;
+  const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / 4);
+  for (std::size_t i = 0; i < inner.triangles.size(); i += step) {
+    if (!lies_in(mesh.vertices[triangles[inner.triangles[i]][0]], outer, triangles, mesh)) return false;
+  }
+  return true;
+}
+
+/// Turns reversed outermost solids together with everything in them, so that the cavities of a wholly reversed solid stay cavities.
+void turn_components(std::vector<Component>& components, std::vector<Triangle>& triangles, const Mesh& mesh) {
+  std::vector<Component*> order;
+  for (Component& component : components) {
+    if (component.solid) order.push_back(&component);
+  }
+  std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return std::abs(a->volume) > std::abs(b->volume); });
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    Component& inner = *order[i];
+    const Component* around = nullptr;
+    for (std::size_t k = 0; k < i && !around; ++k) {
+      const bool matters = inner.volume < 0 || order[k]->turned;  // two solids the right way round need no look
+      if (matters && lies_in(inner, *order[k], triangles, mesh)) around = order[k];
+    }
+    inner.turned = around ? around->turned : inner.volume < 0;
+  }
+  for (const Component& component : components) {
+    if (!component.turned) continue;
+    for (const std::uint32_t t : component.triangles) turn(triangles[t]);
+  }
+}
+
+bool is_closed(const std::vector<Side>& sides) {
+  bool closed = true;
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    int sum = 0;
+    for (std::size_t i = first; i < last; ++i) sum += sides[i].forward ? 1 : -1;
+    closed = closed && sum == 0;
+  });
+  return closed;
+}
+
+}  // namespace
+
+OrientedSurface orient(const Mesh& mesh) {
+  const std::vector<std::uint32_t> vertex = first_equal_vertex(mesh.vertices);
+  OrientedSurface surface{{}, false};
+  for (const Triangle& t : mesh.triangles) {
+    if (vertex[t[0]] != vertex[t[1]] && vertex[t[1]] != vertex[t[2]] && vertex[t[2]] != vertex[t[0]]) surface.triangles.push_back(t);
+  }
+  const auto neighbours = find_neighbours(sorted_sides(surface.triangles, vertex), surface.triangles.size());
+  std::vector<Component> components = flood(surface.triangles, neighbours, mesh);
+  for (Component& component : components) measure(component, surface.triangles, mesh);
+  turn_components(components, surface.triangles, mesh);
+  surface.closed = is_closed(sorted_sides(surface.triangles, vertex));
+  return surface;
+}
+
+}  // namespace homolog

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// OBJ files. Not left to assimp, which makes a vertex of every face corner and so loses the file's numbering.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "homolog/shape/mesh.h"
+
+namespace homolog {
+
+/// The mesh in the text of an OBJ file: its v and f lines, vertices in the file's order; everything else is skipped. `file` is its name
+/// for messages. Throws FileError (malformed, a vertex number out of range, non-finite coordinates).
+Mesh read_obj(std::string_view content, const std::string& file);
+
+}  // namespace homolog

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/text.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+#include <cstdlib>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+/// A word as it may stand in a message: short and printable.
+std::string shown(std::string_view word) {
+  std::string safe;
+  for (const char c : word.substr(0, 30)) safe += c >= ' ' && c <= '~' ? c : '?';
+  return safe;
+}
+
+}  // namespace
+
+void fail(const Text& text, const std::string& what) { throw FileError(fmt::format("{}, line {}: {}", text.file, text.line, what)); }
+
+bool next_line(Text& text, std::string_view& line) {
+  if (text.rest.empty()) return false;
+  const std::size_t end = text.rest.find('\n');
+  line = text.rest.substr(0, end);
+  text.rest.remove_prefix(end == std::string_view::npos ? text.rest.size() : end + 1);
+  if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
+  ++text.line;
+  return true;
+}
+
+bool next_data_line(Text& text, std::string_view& line) {
+  while (next_line(text, line)) {
+    line = line.substr(0, line.find('#'));
+    if (line.find_first_not_of(" \t\r") != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+std::string_view take_word(std::string_view& line) {
+  const std::size_t begin = line.find_first_not_of(" \t\r");
+  if (begin == std::string_view::npos) return line = {};
+  const std::size_t end = std::min(line.find_first_of(" \t\r", begin), line.size());
+  const std::string_view word = line.substr(begin, end - begin);
+  line.remove_prefix(end);
+  return word;
+}
+
+double take_number(Text& text, std::string_view& line, const char* what) {
+  std::string_view word = take_word(line);
+  if (word.empty()) fail(text, fmt::format("{} is missing; the file is truncated or damaged", what));
+  if (word[0] == '+') word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);  // 0 if too small, inf if too large
+  const bool number = error != std::errc::invalid_argument && end == word.data() + word.size();
+  if (!number || !std::isfinite(value)) fail(text, fmt::format("'{}' is not a finite number, but {} must be one", shown(word), what));
+  return value;
+}
+
+long long take_integer(Text& text, std::string_view& line, const char* what) {
+  std::string_view word = take_word(line);
+  if (word.empty()) fail(text, fmt::format("{} is missing; the file is truncated or damaged", what));
+  if (word[0] == '+') word.remove_prefix(1);
+  long long value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  if (error != std::errc() || end != word.data() + word.size()) {
+    fail(text, fmt::format("'{}' is not a whole number, but {} must be one", shown(word), what));
+  }
+  return value;
+}
+
+Vec3 take_position(Text& text, std::string_view& line) {
+  Vec3 position;
+  for (int axis = 0; axis < 3; ++axis) position[axis] = take_number(text, line, "a vertex coordinate");
+  return position;
+}
+
+}  // namespace homolog

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/volume.h"
+
+#include <cmath>
+
+namespace homolog {
+
+float sample(const Volume<float>& volume, const Vec3& world) {
+  const Vec3 v = volume.frame.voxel_from_world(world);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (!(v[axis] > -1 && v[axis] < volume.frame.size[axis])) return 0;  // also keeps the cast below defined, NaN included
+  }
+  const int i = static_cast<int>(std::floor(v.x())), j = static_cast<int>(std::floor(v.y())), k = static_cast<int>(std::floor(v.z()));
+  const double fx = v.x() - i, fy = v.y() - j, fz = v.z() - k;
+  double sum = 0;
+  for (int corner = 0; corner < 8; ++corner) {
+    const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
+    if (!volume.frame.contains(i + dx, j + dy, k + dz)) continue;
+    sum += (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz) * volume.at(i + dx, j + dy, k + dz);
+  }
+  return static_cast<float>(sum);
+}
+
+}  // namespace homolog
