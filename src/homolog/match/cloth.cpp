@@ -10,7 +10,7 @@ namespace homolog {
 namespace {
 
 constexpr double anchor_weight = 2;
-constexpr double outlier_share = 0.1;  // of the expected sum of weights: what has no partner is not drawn anywhere
+constexpr float outlier_share = 0.1f;  // of the expected sum of weights: what has no partner is not drawn anywhere
 constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
 
 // Best local rotation of the wanted chirality, and the local scale drawn half way to the cloth's.
@@ -35,37 +35,53 @@ void fit_local_frames(Cloth& cloth, const Body& model) {
   }
 }
 
+// The data's skin as rows, relative to a middle so that single precision suffices.
+struct Samples {
+  Eigen::MatrixX3f places, normals;
+  Vec3 middle = Vec3::Zero();
+};
+
+Samples rows_of(const std::vector<SurfaceSample>& data) {
+  Samples rows{Eigen::MatrixX3f(data.size(), 3), Eigen::MatrixX3f(data.size(), 3)};
+  for (const SurfaceSample& s : data) rows.middle += s.position / static_cast<double>(data.size());
+  for (std::size_t k = 0; k < data.size(); ++k) {
+    rows.places.row(k) = (data[k].position - rows.middle).cast<float>();
+    rows.normals.row(k) = data[k].normal.cast<float>();
+  }
+  return rows;
+}
+
 // What the data's samples ask of every skin node: a place, and how strongly.
 struct Pull {
   std::vector<Vec3> place;
   std::vector<double> mass;
 };
 
-Pull assign(const Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double reach) {
-  const Eigen::Index rows = model.surface_count, columns = data.size();
-  Eigen::MatrixXf weight(rows, columns);
-  const float inverse = static_cast<float>(0.5 / (reach * reach));
+// One row of weights: near and facing the same way.
+Eigen::ArrayXf weights_of(const Eigen::Vector3f& y, const Eigen::Vector3f& n, const Samples& data, float inverse) {
+  const Eigen::ArrayXf square = inverse * (data.places.rowwise() - y.transpose()).rowwise().squaredNorm().array();
+  const Eigen::ArrayXf agreement = (data.normals * n).array().max(0.0f);
+  return (square < 12).select((-square).exp() * agreement.square(), 0.0f);
+}
+
+Pull assign(const Cloth& cloth, const Body& model, const Samples& data, double reach) {
+  const Eigen::Index rows = model.surface_count, columns = data.places.rows();
+  Eigen::MatrixXf weight(columns, rows);
   for (Eigen::Index i = 0; i < rows; ++i) {
-    const Eigen::Vector3f y = cloth.nodes[i].cast<float>();
-    const Eigen::Vector3f n = (cloth.rotations[i] * model.normals[i]).cast<float>();
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      const float square = (data[k].position.cast<float>() - y).squaredNorm() * inverse;
-      const float agreement = n.dot(data[k].normal.cast<float>());
-      weight(i, k) = square > 12 || agreement <= 0 ? 0 : std::exp(-square) * agreement * agreement;
-    }
+    const Eigen::Vector3f normal = (cloth.rotations[i] * model.normals[i]).cast<float>();
+    weight.col(i) = weights_of((cloth.nodes[i] - data.middle).cast<float>(), normal, data, static_cast<float>(0.5 / (reach * reach)));
   }
-  const Eigen::VectorXf row_sums = weight.rowwise().sum(), column_sums = weight.colwise().sum().transpose();
-  const float row_outlier = static_cast<float>(outlier_share) * row_sums.mean() + 1e-12f;
-  const float column_outlier = static_cast<float>(outlier_share) * column_sums.mean() + 1e-12f;
+  const Eigen::ArrayXf row_sums = weight.colwise().sum().transpose(), column_sums = weight.rowwise().sum();
+  const Eigen::ArrayXf by_row = 0.5f / (row_sums + outlier_share * row_sums.mean() + 1e-12f);
+  const Eigen::ArrayXf by_column = 0.5f / (column_sums + outlier_share * column_sums.mean() + 1e-12f);
+  Eigen::MatrixX4f place_and_one(columns, 4);
+  place_and_one << data.places, Eigen::VectorXf::Ones(columns);
+  const Eigen::MatrixX4f sums = by_row.matrix().asDiagonal() * (weight.transpose() * place_and_one) +
+                                weight.transpose() * (by_column.matrix().asDiagonal() * place_and_one);
   Pull pull{std::vector<Vec3>(rows, Vec3::Zero()), std::vector<double>(rows, 0)};
   for (Eigen::Index i = 0; i < rows; ++i) {
-    for (Eigen::Index k = 0; k < columns; ++k) {
-      if (weight(i, k) == 0) continue;
-      const double share = 0.5 * weight(i, k) * (1 / (row_sums[i] + row_outlier) + 1 / (column_sums[k] + column_outlier));
-      pull.place[i] += share * data[k].position;
-      pull.mass[i] += share;
-    }
-    if (pull.mass[i] > 0) pull.place[i] /= pull.mass[i];
+    pull.mass[i] = sums(i, 3);
+    if (sums(i, 3) > 1e-9f) pull.place[i] = data.middle + (sums.row(i).head<3>() / sums(i, 3)).cast<double>().transpose();
   }
   return pull;
 }
@@ -118,12 +134,13 @@ Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chira
 
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
+  const Samples samples = rows_of(data);
   Eigen::SimplicialLDLT<Sparse> solver;
   for (int step = 0; step < schedule.iterations; ++step) {
     const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
     const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
     const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
-    const Pull pull = assign(cloth, model, data, reach);
+    const Pull pull = assign(cloth, model, samples, reach);
     const Sparse matrix = system_matrix(model, pull, anchors, stiffness);
     if (step == 0) solver.analyzePattern(matrix);
     solver.factorize(matrix);
