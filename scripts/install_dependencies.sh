@@ -1,0 +1,75 @@
+#!/usr/bin/env bash
+# Installs by apt what homolog needs on Debian 12 or Ubuntu (22.04, 24.04). Never asks; calls no apt when all is there.
+#   scripts/install_dependencies.sh               everything, for scripts/test.sh
+#   scripts/install_dependencies.sh --build-only  without what only tests and checks need, for scripts/demo.sh
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+fail() { echo "install_dependencies: $*" >&2; exit 1; }
+
+tests=yes
+case "${1:-}" in
+  "") ;;
+  --build-only) tests=no ;;
+  *) fail "unknown option '$1'; the only one is --build-only." ;;
+esac
+
+have() { command -v "$1" >/dev/null; }
+installed() { dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'; }
+node_is_new_enough() { have npm && have node && [[ "$(node -p 'process.versions.node.split(".")[0] >= 18')" == true ]]; }
+have_clang_tidy() { for v in 16 17 18 19 20; do have "clang-tidy-$v" && return; done; return 1; }
+have_browser() { [[ -n "${CHROMIUM:-}" ]] || have chromium || have google-chrome || compgen -G "$HOME/.cache/ms-playwright/chromium*" >/dev/null; }
+
+if ! have dpkg-query || ! have apt-get; then fail "this script knows only apt; elsewhere install the packages named in it by hand."; fi
+
+# A tool may come from anywhere (command:package); a library must be apt's.
+tools=(g++:g++ cmake:cmake ninja:ninja-build pkg-config:pkg-config)
+libraries=(libeigen3-dev libtbb-dev libassimp-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+if [[ $tests == yes ]]; then
+  tools+=(python3:python3 clang-format-14:clang-format-14)  # 14 is in all three systems, so all agree on the format
+  libraries+=(libgtest-dev libgmock-dev libbenchmark-dev fonts-dejavu-core)
+fi
+
+missing=()
+for pair in "${tools[@]}"; do have "${pair%%:*}" || missing+=("${pair##*:}"); done
+for package in "${libraries[@]}"; do installed "$package" || missing+=("$package"); done
+node_is_new_enough || missing+=(nodejs npm)
+wants_clang_tidy=no wants_browser=no
+if [[ $tests == yes ]]; then
+  have_clang_tidy || wants_clang_tidy=yes
+  have_browser || wants_browser=yes
+fi
+if [[ ${#missing[@]} -eq 0 && $wants_clang_tidy == no && $wants_browser == no ]]; then exit 0; fi
+
+as_root=()
+if [[ $EUID -ne 0 ]]; then
+  have sudo || fail "run it as root or install sudo; it has to install: ${missing[*]}."
+  as_root=(sudo)
+fi
+apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 "$@"; }
+offers() { apt-cache show "$1" 2>/dev/null | grep -q '^Filename:'; }
+
+mkdir -p build
+log=build/install.log
+apt update >"$log" 2>&1 || { tail -5 "$log" >&2; fail "'apt-get update' failed; is the network there? (all of it: $log)"; }
+
+if [[ $wants_clang_tidy == yes ]]; then
+  for version in 16 17 18 19 20; do
+    if offers "clang-tidy-$version"; then missing+=("clang-tidy-$version"); break; fi
+  done
+  [[ "${missing[*]}" == *clang-tidy* ]] || echo "install_dependencies: no clang-tidy from 16 on in this system; scripts/check.sh will leave it out." >&2
+fi
+# Ubuntu has Chromium only as a snap, which cannot run everywhere; Playwright's own build stands in for it below.
+if [[ $wants_browser == yes ]] && offers chromium; then missing+=(chromium); wants_browser=no; fi
+
+if [[ ${#missing[@]} -gt 0 ]]; then
+  echo "Installing by apt: ${missing[*]}"
+  apt install -y --no-install-recommends "${missing[@]}" >>"$log" 2>&1 ||
+    { grep -E '^(E|dpkg):|rror' "$log" | tail -5 >&2; fail "'apt-get install' failed. (all of it: $log)"; }
+fi
+node_is_new_enough || fail "the report's viewer needs Node.js 18 or newer, and this system offers $(node --version 2>/dev/null || echo none); install a newer one and run this again."
+if [[ $wants_browser == yes ]]; then
+  echo "Installing Chromium by Playwright"
+  (cd viewer && npm ci && npx playwright-core install --with-deps chromium) >>"$log" 2>&1 ||
+    fail "no Chromium could be installed for the viewer's tests; install one and name it in CHROMIUM. (all of it: $log)"
+fi

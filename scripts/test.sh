@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# Installs, builds and runs all tests, then the checks of scripts/check.sh; ends with a line per step.
+#   scripts/test.sh             the release build: unit, command line, report in a browser, installed package
+#   scripts/test.sh --sanitize  the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer besides
+set -euo pipefail
+cd "$(dirname "$0")/.."
+
+sanitize=no
+case "${1:-}" in
+  "") ;;
+  --sanitize) sanitize=yes ;;
+  *) echo "test: unknown option '$1'; the only one is --sanitize." >&2; exit 2 ;;
+esac
+
+summary=() failed=no
+# step NAME COMMAND...: runs it, remembers how it went and goes on, so that one run tells all that is wrong.
+step() {
+  local name=$1 start=$SECONDS word=passed
+  shift
+  echo; echo "== $name"
+  "$@" || { word=FAILED; failed=yes; }
+  summary+=("$(printf '%-10s %-7s %4d s' "$name" "$word" $((SECONDS - start)))")
+  [[ $word == passed ]]
+}
+finish() {
+  echo; echo "== summary"
+  printf '%s\n' "${summary[@]}"
+  [[ $failed == no ]]
+  exit
+}
+
+# shellcheck disable=SC2317  # the functions below are called through step
+configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=ON && cmake --build --preset "$@"; }
+# shellcheck disable=SC2317
+sanitized_unit_tests() { configure_and_build dev --target unit_tests && build/dev/tests/unit_tests --gtest_brief=1; }
+
+command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
+
+step install scripts/install_dependencies.sh || finish
+step build configure_and_build release || finish
+step tests ctest --preset release || true
+if [[ $sanitize == yes ]]; then step sanitize sanitized_unit_tests || true; fi
+step checks scripts/check.sh || true
+finish
