@@ -18,7 +18,7 @@ have() { command -v "$1" >/dev/null; }
 installed() { dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'; }
 node_is_new_enough() { have npm && have node && [[ "$(node -p 'process.versions.node.split(".")[0] >= 18')" == true ]]; }
 have_clang_tidy() { for v in 16 17 18 19 20; do have "clang-tidy-$v" && return; done; return 1; }
-have_browser() { [[ -n "${CHROMIUM:-}" ]] || have chromium || have google-chrome || compgen -G "$HOME/.cache/ms-playwright/chromium*" >/dev/null; }
+have_browser() { have chromium || have google-chrome || have google-chrome-stable; }
 
 if ! have dpkg-query || ! have apt-get; then fail "this script knows only apt; elsewhere install the packages named in it by hand."; fi
 
@@ -69,7 +69,8 @@ if [[ ${#missing[@]} -gt 0 ]]; then
 fi
 node_is_new_enough || fail "the report's viewer needs Node.js 18 or newer, and this system offers $(node --version 2>/dev/null || echo none); install a newer one and run this again."
 if [[ $wants_browser == yes ]]; then
-  echo "Installing Chromium by Playwright"
-  (cd viewer && npm ci && npx playwright-core install --with-deps chromium) >>"$log" 2>&1 ||
-    fail "no Chromium could be installed for the viewer's tests; install one and name it in CHROMIUM. (all of it: $log)"
+  echo "Installing Chromium by Playwright, as /usr/local/bin/chromium"
+  { (cd viewer && npm ci && npx playwright-core install --with-deps chromium) &&
+    "${as_root[@]}" ln -sf "$(cd viewer && node -p 'require("playwright-core").chromium.executablePath()')" /usr/local/bin/chromium; } >>"$log" 2>&1 ||
+    fail "no Chromium could be installed for the viewer's tests; install one as 'chromium' and run this again. (all of it: $log)"
 fi
