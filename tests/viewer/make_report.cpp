@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Makes the pages that report_test.mjs opens: make_report DIR. The family is laid by hand over two animals made in code, so that the
+// pages do not depend on what the algorithm finds.
+#include <Eigen/Geometry>
+#include <filesystem>
+
+#include "fixtures/solids.h"
+#include "homolog/outputs/report.h"
+#include "homolog/outputs/write_file.h"
+
+namespace {
+
+using namespace homolog;
+
+/// An animal as balls joined by limbs; the same number is the same place in every pose.
+struct Animal {
+  std::vector<SalientPoint> points;
+  Mesh mesh;
+};
+
+const std::vector<std::pair<Vec3, double>> kBalls = {{{-0.5, 0, 0}, 0.3},        {{0.4, 0, 0.02}, 0.28},     {{0.75, 0, 0.35}, 0.16},
+                                                     {{1, 0, 0.6}, 0.19},        {{1.3, 0, 0.52}, 0.11},     {{-0.9, 0, 0.1}, 0.09},
+                                                     {{-1.3, 0, 0}, 0.06},       {{0.45, 0.2, -0.4}, 0.13},  {{0.45, 0.2, -0.85}, 0.1},
+                                                     {{0.45, -0.2, -0.4}, 0.13}, {{0.45, -0.2, -0.85}, 0.1}, {{-0.5, 0.2, -0.4}, 0.14},
+                                                     {{-0.55, 0.2, -0.85}, 0.1}, {{-0.5, -0.2, -0.4}, 0.14}, {{-0.55, -0.2, -0.85}, 0.1}};
+constexpr int kLimbs[][2] = {{0, 1}, {1, 2}, {2, 3},  {3, 4},  {0, 5},   {5, 6},  {1, 7},
+                             {7, 8}, {1, 9}, {9, 10}, {0, 11}, {11, 12}, {0, 13}, {13, 14}};
+
+Animal make_animal(double bend, const Similarity& similarity) {
+  Animal animal;
+  std::vector<fixtures::Solid> solids;
+  auto balls = kBalls;
+  for (auto& [centre, radius] : balls) {
+    centre.y() += bend * centre.x() * centre.x();
+    solids.push_back(fixtures::ball(centre, radius));
+    animal.points.push_back({similarity(centre), similarity.scale * radius, similarity.rotation * Vec3::UnitX(), 0.4, 0.9});
+  }
+  for (const auto& [a, b] : kLimbs) {
+    solids.push_back(fixtures::capsule(balls[a].first, balls[b].first, 0.75 * std::min(balls[a].second, balls[b].second)));
+  }
+  animal.mesh = fixtures::mesh_of(fixtures::join(solids), 64);
+  for (Vec3& v : animal.mesh.vertices) v = similarity(v);
+  return animal;
+}
+
+Shape make_shape(const std::string& name, const Animal& animal) {
+  Shape shape;
+  shape.name = name;
+  shape.diagonal = bounding_box(animal.mesh).diagonal();
+  shape.points = animal.points;
+  return shape;
+}
+
+/// Pairs point i with point partner(i) for the points from `first` to `last`.
+template <class Partner>
+Match make_match(const Animal& model, const Animal& data, int first, int last, Partner partner, Handedness handedness) {
+  Match match;
+  std::vector<Vec3> sources, targets;
+  for (int i = first; i <= last; ++i) {
+    const int j = partner(i);
+    match.pairs.push_back({i, j, model.points[i], data.points[j], 0.1 + 0.02 * i, 1 - 0.06 * (i - first)});
+    sources.push_back(model.points[i].position);
+    targets.push_back(data.points[j].position);
+  }
+  const Chirality chirality = handedness == Handedness::mirrored ? Chirality::mirrored : Chirality::proper;
+  const std::vector<double> exact(sources.size(), 0.0);
+  match.data_from_model = ThinPlateSpline::similarity_free(SourceSystem(sources, exact), targets, chirality);
+  match.similarity = match.data_from_model.similarity;
+  match.handedness = handedness;
+  match.confidence = 0.97 - 0.1 * first;
+  match.bending = 0.02;
+  match.chamfer = 0.006;
+  match.model_coverage = match.data_coverage = (last - first + 1) / 15.0;
+  return match;
+}
+
+Family make_family(const Animal& model, const Animal& data) {
+  const auto same = [](int i) { return i; };
+  const auto other_side = [](int i) { return i < 7 ? i : i + ((i - 7) % 4 < 2 ? 2 : -2); };
+  Family family;
+  family.matches = {make_match(model, data, 0, 14, same, Handedness::proper),
+                    make_match(model, data, 0, 14, other_side, Handedness::mirrored),
+                    make_match(model, data, 1, 4, same, Handedness::ambiguous)};
+  family.counts.stages = {{"candidates", 225}, {"seeds", 40}, {"grown", 3}};
+  return family;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const std::filesystem::path folder = argv[1];
+  std::filesystem::create_directories(folder);
+  const Similarity turn{1.4, Eigen::AngleAxisd(2.2, Vec3(1, 2, 0.5).normalized()).toRotationMatrix(), {1000, 20, 3}};
+  const Animal model = make_animal(0, {}), data = make_animal(0.25, turn);
+  const Family family = make_family(model, data);
+  const Family nothing{{}, {{{"candidates", 12}, {"seeds", 0}}}};
+  const Shape a = make_shape("deer.off", model), b = make_shape("bent deer.off", data);
+  const Shape hostile = make_shape("</script><script>alert(1)</script><img src=x onerror=alert(2)>.off", model);
+  const ReportShape left{model.mesh, a}, right{data.mesh, b};
+  write_file(folder / "match.html", match_report(left, right, family, {}));
+  write_file(folder / "empty.html", match_report(left, right, nothing, {}));
+  write_file(folder / "points.html", points_report(left, {}));
+  write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, {}));
+}

@@ -1,0 +1,130 @@
+// One shape in its pane: surface, balls at the salient points, and (on the side of the data) the warped model laid over it.
+import {
+  BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene, SphereGeometry, Vector2,
+  Vector3, DoubleSide,
+} from 'three';
+import { ballMaterial, surfaceMaterial } from './materials.js';
+
+const ballGeometry = new SphereGeometry(1, 32, 20);
+const fieldOfView = 26;
+
+/// A surface as glass over everything drawn before: depth first, then the colour of the layer nearest to the viewer.
+export class Surface {
+  constructor({ positions, indices }, order) {
+    this.geometry = new BufferGeometry();
+    this.geometry.setIndex(new BufferAttribute(indices, 1));
+    this.geometry.setAttribute('position', new BufferAttribute(positions.slice(), 3));
+    this.geometry.setAttribute('tint', new BufferAttribute(new Float32Array(positions.length), 3));
+    this.geometry.setAttribute('part', new BufferAttribute(new Float32Array(positions.length / 3), 1));
+    this.geometry.computeVertexNormals();
+    this.material = surfaceMaterial();
+    const depth = new Mesh(this.geometry, new MeshBasicMaterial({ colorWrite: false, transparent: true, side: DoubleSide }));
+    const colour = new Mesh(this.geometry, this.material);
+    depth.renderOrder = order;
+    colour.renderOrder = order + 1;
+    depth.onBeforeRender = (renderer) => renderer.clearDepth();
+    this.group = new Group().add(depth, colour);
+    for (const mesh of [depth, colour]) mesh.frustumCulled = false;
+  }
+
+  place(positions) {
+    this.geometry.attributes.position.copyArray(positions).needsUpdate = true;
+    this.geometry.computeVertexNormals();
+  }
+
+  paint(tint, part) {
+    this.geometry.attributes.tint.copyArray(tint).needsUpdate = true;
+    this.geometry.attributes.part.copyArray(part).needsUpdate = true;
+  }
+
+  set opacity(value) { this.material.uniforms.opacity.value = value; }
+}
+
+export class Pane {
+  constructor(shape) {
+    this.shape = shape;
+    this.scene = new Scene();
+    this.camera = new PerspectiveCamera(fieldOfView, 1, 0.1, 100);
+    this.turned = new Group();
+    this.frame = new Group();
+    this.frame.scale.setScalar(1 / shape.mesh.radius);
+    this.scene.add(this.turned.add(this.frame));
+    this.surface = new Surface(shape.mesh, 10);
+    this.frame.add(this.surface.group);
+    this.places = Float32Array.from(shape.points.flatMap((point) => point.place));
+    this.balls = shape.points.map((_, i) => this.makeBall(i));
+    this.area = { x: 0, y: 0, width: 1, height: 1 };
+    this.fit = 1;
+  }
+
+  makeBall(index) {
+    const ball = new Mesh(ballGeometry, ballMaterial());
+    ball.userData.index = index;
+    this.frame.add(ball);
+    return ball;
+  }
+
+  /// Lays the model over this pane's shape, in this shape's frame.
+  layOver(mesh) {
+    this.overlay = new Surface(mesh, 20);
+    this.frame.add(this.overlay.group);
+  }
+
+  placeBall(index, { shown, colour, solid, scale }) {
+    const ball = this.balls[index];
+    ball.visible = shown;
+    ball.position.fromArray(this.places, 3 * index);
+    ball.scale.setScalar(this.shape.points[index].radius * scale);
+    ball.material.uniforms.colour.value.fromArray(colour);
+    ball.material.uniforms.glass.value = solid ? 0 : 1;
+    ball.material.transparent = !solid;
+    ball.material.depthWrite = solid;
+  }
+
+  /// Sets camera and turn; `aligned` is the rotation that makes this shape face as the other does.
+  look(view, aligned = new Quaternion()) {
+    const { width, height } = this.area;
+    this.turned.quaternion.copy(view.turn);
+    this.frame.quaternion.copy(aligned);
+    const half = Math.tan((fieldOfView * Math.PI) / 360);
+    const distance = this.fit / Math.sin((fieldOfView * Math.PI) / 360) / view.zoom / Math.min(1, width / height);
+    this.turned.position.set(view.shift.x * half * distance, view.shift.y * half * distance, 0);
+    this.camera.aspect = width / height;
+    this.camera.position.z = distance;
+    this.camera.near = Math.max(0.01, distance - 5);
+    this.camera.far = distance + 5;
+    this.camera.updateProjectionMatrix();
+    this.camera.updateMatrixWorld();
+    this.scene.updateMatrixWorld();
+  }
+
+  /// Where a point of the shape (relative to its centre) lies on the stage, in pixels.
+  project(place) {
+    const p = new Vector3(...place).applyMatrix4(this.frame.matrixWorld).project(this.camera);
+    return { x: this.area.x + (p.x + 1) * 0.5 * this.area.width, y: this.area.y + (1 - p.y) * 0.5 * this.area.height };
+  }
+
+  ballOnStage(index) {
+    const ball = this.balls[index];
+    const centre = this.project(ball.position.toArray());
+    const world = ball.scale.x * this.frame.scale.x;
+    const depth = this.camera.position.z - ball.getWorldPosition(new Vector3()).z;
+    const radius = ((world / depth / Math.tan((fieldOfView * Math.PI) / 360)) * this.area.height) / 2;
+    return { ...centre, radius };
+  }
+
+  contains(x, y) {
+    const { area } = this;
+    return x >= area.x && x < area.x + area.width && y >= area.y && y < area.y + area.height;
+  }
+
+  /// The index of the ball under a pixel of the stage, or -1.
+  pick(x, y) {
+    const { area } = this;
+    const ray = new Raycaster();
+    ray.setFromCamera(new Vector2((2 * (x - area.x)) / area.width - 1, 1 - (2 * (y - area.y)) / area.height), this.camera);
+    const hits = ray.intersectObjects(this.balls.filter((ball) => ball.visible), false);
+    const solid = hits.find((hit) => !hit.object.material.transparent);
+    return (solid ?? hits[0])?.object.userData.index ?? -1;
+  }
+}

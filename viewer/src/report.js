@@ -1,0 +1,34 @@
+// Reads the data of the page: the result as in match.json or points.json, and the meshes.
+// All positions leave here relative to the centre of their own shape, so that single precision is enough to draw them.
+
+function bytes(base64) {
+  return Uint8Array.from(atob(base64), (c) => c.charCodeAt(0)).buffer;
+}
+
+function readMesh({ centre, positions, indices, triangles }) {
+  const mesh = { centre, positions: new Float32Array(bytes(positions)), indices: new Uint32Array(bytes(indices)), triangles };
+  let square = 0;
+  for (let i = 0; i < mesh.positions.length; i += 3) {
+    square = Math.max(square, mesh.positions[i] ** 2 + mesh.positions[i + 1] ** 2 + mesh.positions[i + 2] ** 2);
+  }
+  mesh.radius = Math.sqrt(square) || 1;
+  return mesh;
+}
+
+function readShape(side, meshData) {
+  const mesh = readMesh(meshData);
+  const points = side.points.map((point) => ({ ...point, place: point.position.map((x, k) => x - mesh.centre[k]) }));
+  return { name: side.file, points, mesh };
+}
+
+export function readReport(text) {
+  const { result, meshes } = JSON.parse(text);
+  const sides = result.shape ? [result.shape] : [result.model, result.data];
+  return {
+    program: result.program,
+    parameters: result.parameters,
+    counts: result.counts ?? {},
+    matches: result.matches ?? [],
+    shapes: sides.map((side, i) => readShape(side, meshes[i])),
+  };
+}
