@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OFF, OBJ and PLY by our own readers (their heads say why), everything else by assimp.
+// OFF, OBJ, PLY and STL by our own readers (their heads say why), everything else by assimp.
 #include "homolog/shape/read_mesh.h"
 
 #include <assimp/config.h>
@@ -16,6 +16,7 @@
 #include "homolog/shape/read_obj.h"
 #include "homolog/shape/read_off.h"
 #include "homolog/shape/read_ply.h"
+#include "homolog/shape/read_stl.h"
 #include "homolog/shape/weld.h"
 
 namespace homolog {
@@ -71,7 +72,7 @@ void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
   }
 }
 
-/// Every format but our own three: all nodes of the scene with their transforms applied, vertices welded.
+/// Every format but our own four: all nodes of the scene with their transforms applied, vertices welded.
 Mesh read_by_assimp(const std::filesystem::path& path) {
   const std::string file = path.string();
   Assimp::Importer importer;
@@ -120,6 +121,8 @@ Mesh read_mesh(const std::filesystem::path& path) {
     mesh = read_obj(read_content(path), path.string());
   } else if (extension == ".ply") {
     mesh = read_ply(read_content(path), path.string());
+  } else if (extension == ".stl") {
+    mesh = weld(read_stl(read_content(path), path.string()));
   } else {
     mesh = read_by_assimp(path);
   }

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_stl.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <bit>
+#include <cctype>
+#include <cmath>
+#include <cstring>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/text.h"
+
+namespace homolog {
+namespace {
+
+constexpr std::size_t header_bytes = 84, triangle_bytes = 50;  // a comment of 80 and the count; normal, three vertices, 2 spare
+
+std::uint32_t little_endian(const char* bytes) {
+  std::uint32_t value = 0;
+  for (int i = 3; i >= 0; --i) value = value << 8 | static_cast<unsigned char>(bytes[i]);
+  return value;
+}
+
+std::size_t announced_triangles(std::string_view content) {
+  return content.size() < header_bytes ? 0 : little_endian(content.data() + header_bytes - 4);
+}
+
+/// The word "solid" alone is no proof, many binary files start with it.
+bool is_text(std::string_view content) {
+  if (content.size() == header_bytes + triangle_bytes * announced_triangles(content)) return false;
+  std::string start(content.substr(0, 5));
+  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
+  return start == "solid" && content.substr(0, 1000).find('\0') == std::string_view::npos;
+}
+
+void append_triangle(Mesh& mesh) {
+  const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
+  mesh.triangles.push_back({n - 3, n - 2, n - 1});
+}
+
+Mesh read_binary(std::string_view content, const std::string& file) {
+  const std::size_t count = announced_triangles(content);
+  if (content.size() < header_bytes || (content.size() - header_bytes) / triangle_bytes < count) {
+    throw FileError(
+        fmt::format("{}: {} triangles are announced, but the file is too short for them; it is truncated or damaged", file, count));
+  }
+  Mesh mesh;
+  mesh.vertices.reserve(3 * count);
+  mesh.triangles.reserve(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const char* bytes = content.data() + header_bytes + i * triangle_bytes + 12;
+    for (int corner = 0; corner < 3; ++corner) {
+      Vec3 vertex;
+      for (int axis = 0; axis < 3; ++axis, bytes += 4) vertex[axis] = std::bit_cast<float>(little_endian(bytes));
+      if (!vertex.allFinite())
+        throw FileError(fmt::format("{}, triangle {}: a coordinate is not a finite number; the file is damaged", file, i));
+      mesh.vertices.push_back(vertex);
+    }
+    append_triangle(mesh);
+  }
+  return mesh;
+}
+
+Mesh read_text(std::string_view content, const std::string& file) {
+  Text text{file, content};
+  Mesh mesh;
+  std::string_view line;
+  bool ended = false;
+  while (next_line(text, line)) {
+    std::string word(take_word(line));
+    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
+    if (word.empty() || word == "outer" || word == "endloop") continue;
+    ended = word == "endsolid";
+    if (word == "vertex") {
+      mesh.vertices.push_back(take_position(text, line));
+    } else if (word == "facet" || word == "endfacet" || word == "solid" || word == "endsolid") {
+      if (word == "endfacet") append_triangle(mesh);
+      if (mesh.vertices.size() != 3 * mesh.triangles.size()) fail(text, "a facet has not three vertices; the file is damaged");
+    } else {
+      fail(text, "the line starts with a word that STL does not know; the file is damaged");
+    }
+  }
+  if (!ended) fail(text, "the file ends before the word endsolid; it is truncated");
+  return mesh;
+}
+
+}  // namespace
+
+Mesh read_stl(std::string_view content, const std::string& file) {
+  return is_text(content) ? read_text(content, file) : read_binary(content, file);
+}
+
+}  // namespace homolog

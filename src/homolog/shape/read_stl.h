@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// STL files, text and binary. Not left to assimp, which takes truncated text files for whole ones.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "homolog/shape/mesh.h"
+
+namespace homolog {
+
+/// The mesh in the bytes of an STL file, three vertices a triangle, not welded. `file` is its name for messages. Throws FileError
+/// (truncated, malformed, non-finite coordinates).
+Mesh read_stl(std::string_view content, const std::string& file);
+
+}  // namespace homolog

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/orient.h"
+
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "shape/meshes.h"
+
+namespace homolog {
+namespace {
+
+double oriented_volume(const Mesh& mesh) { return meshes::volume(Mesh{mesh.vertices, orient(mesh).triangles}); }
+
+Mesh scrambled(Mesh mesh, std::uint32_t seed) {
+  std::mt19937 random(seed);
+  for (auto& triangle : mesh.triangles) {
+    if (random() % 2) std::swap(triangle[1], triangle[2]);
+  }
+  return mesh;
+}
+
+TEST(Orient, MendsScrambledTriangles) {
+  const Mesh torus = meshes::torus(1, 0.3, 40, 20);
+  for (std::uint32_t seed = 0; seed < 4; ++seed) {
+    EXPECT_NEAR(oriented_volume(scrambled(torus, seed)), meshes::volume(torus), 1e-12);
+    EXPECT_TRUE(orient(scrambled(torus, seed)).closed);
+  }
+  EXPECT_EQ(orient(torus).triangles, torus.triangles);
+  EXPECT_NEAR(oriented_volume(meshes::reversed(torus)), meshes::volume(torus), 1e-12);
+}
+
+TEST(Orient, KeepsCavitiesEvenOfReversedSolids) {
+  const Mesh outer = meshes::box({0, 0, 0}, {3, 3, 3}), inner = meshes::box({1, 1, 1}, {2, 2, 2});
+  const Mesh hollow = meshes::joined(outer, meshes::reversed(inner));
+  EXPECT_NEAR(oriented_volume(hollow), 27 - 1, 1e-12);
+  EXPECT_NEAR(oriented_volume(meshes::reversed(hollow)), 27 - 1, 1e-12);
+  EXPECT_NEAR(oriented_volume(meshes::joined(outer, inner)), 27 + 1, 1e-12);  // a solid in a solid: winding number 2
+}
+
+TEST(Orient, TurnsReversedSolidsThatAreNotInside) {
+  const Mesh a = meshes::box({0, 0, 0}, {2, 2, 2}), beside = meshes::box({5, 0, 0}, {6, 1, 1}), across = meshes::box({1, 1, 1}, {3, 3, 3});
+  EXPECT_NEAR(oriented_volume(meshes::joined(a, meshes::reversed(beside))), 8 + 1, 1e-12);
+  EXPECT_NEAR(oriented_volume(meshes::joined(a, meshes::reversed(across))), 8 + 8, 1e-12);
+}
+
+TEST(Orient, JoinsFacesByPosition) {
+  Mesh soup;
+  const Mesh box = scrambled(meshes::box({0, 0, 0}, {1, 1, 1}), 5);
+  for (const auto& triangle : box.triangles) {
+    const auto n = static_cast<std::uint32_t>(soup.vertices.size());
+    for (const std::uint32_t corner : triangle) soup.vertices.push_back(box.vertices[corner]);
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  EXPECT_NEAR(oriented_volume(soup), 1, 1e-12);
+  EXPECT_TRUE(orient(soup).closed);
+}
+
+TEST(Orient, KnowsOpenSurfaces) {
+  Mesh open = meshes::box({0, 0, 0}, {1, 1, 1});
+  open.triangles.pop_back();
+  EXPECT_FALSE(orient(open).closed);
+  const Mesh flap = meshes::joined(meshes::box({0, 0, 0}, {1, 1, 1}), Mesh{{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}}});
+  EXPECT_FALSE(orient(flap).closed);
+}
+
+TEST(Orient, SolidsThatTouchAtAnEdgeAreClosed) {
+  const Mesh touching = meshes::joined(meshes::box({0, 0, 0}, {1, 1, 1}), meshes::box({1, 1, 0}, {2, 2, 1}));
+  EXPECT_TRUE(orient(touching).closed);
+  EXPECT_NEAR(oriented_volume(touching), 2, 1e-12);
+}
+
+}  // namespace
+}  // namespace homolog

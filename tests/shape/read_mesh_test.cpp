@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_mesh.h"
+
+#include <gmock/gmock.h>
+
+#include "shape/files.h"
+#include "shape/meshes.h"
+
+namespace homolog {
+namespace {
+
+using ReadMesh = FileTest;
+
+template <class T>
+void append(std::string& bytes, T value) {
+  bytes.append(reinterpret_cast<const char*>(&value), sizeof value);
+}
+
+/// A box in a glTF file, once as it is and once moved and doubled by its node.
+std::string gltf_text() {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0,1]}],
+    "nodes":[{"mesh":0},{"translation":[10,0,0],"children":[2]},{"scale":[2,2,2],"mesh":0}],
+    "meshes":[{"primitives":[{"attributes":{"POSITION":0},"indices":1}]}],
+    "accessors":[{"bufferView":0,"componentType":5126,"count":8,"type":"VEC3","min":[0,0,0],"max":[1,1,1]},
+                 {"bufferView":1,"componentType":5125,"count":36,"type":"SCALAR"}],
+    "bufferViews":[{"buffer":0,"byteOffset":0,"byteLength":96},{"buffer":0,"byteOffset":96,"byteLength":144}],
+    "buffers":[{"uri":"box.bin","byteLength":240}]})";
+}
+
+TEST_F(ReadMesh, AppliesTheTransformsOfGltfNodes) {
+  const Mesh box = meshes::box({0, 0, 0}, {1, 1, 1});
+  std::string bytes;
+  for (const Vec3& v : box.vertices) {
+    for (int axis = 0; axis < 3; ++axis) append(bytes, static_cast<float>(v[axis]));
+  }
+  for (const auto& triangle : box.triangles) {
+    for (const std::uint32_t corner : triangle) append(bytes, corner);
+  }
+  write("box.bin", bytes);
+  const Mesh mesh = read("a.gltf", gltf_text());
+  EXPECT_EQ(mesh.triangles.size(), 24u);
+  EXPECT_NEAR(meshes::volume(mesh), 1 + 8, 1e-5);
+  EXPECT_EQ(bounding_box(mesh).max, Vec3(12, 2, 2));
+  write("box.bin", bytes.substr(0, 100));
+  expect_error("a.gltf", gltf_text(), "truncated or damaged");
+}
+
+TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
+  const auto message = [](const std::filesystem::path& path) {
+    try {
+      read_mesh(path);
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string("nothing was thrown");
+  };
+  EXPECT_THAT(message(folder_ / "missing.off"), testing::HasSubstr("missing.off: there is no such file"));
+  EXPECT_THAT(message(folder_), testing::HasSubstr("this is a directory"));
+  EXPECT_THAT(message("/dev/null"), testing::HasSubstr("not a regular file"));
+  expect_error("a.off", "", "the file is empty");
+  expect_error("a.stl", "", "the file is empty");
+  expect_error("a.xyzzy", "something", "the format '.xyzzy' is not known");
+  expect_error("noextension", "something", "is not known");
+}
+
+TEST_F(ReadMesh, RefusesMeshesThatAreTooLarge) {
+  const std::filesystem::path path = write("a.off", "OFF\n");
+  std::filesystem::resize_file(path, (std::uintmax_t{2} << 30) + 1);  // sparse: takes no room
+  EXPECT_THROW(read_mesh(path), FileError);
+}
+
+}  // namespace
+}  // namespace homolog
