@@ -45,7 +45,7 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   spline.kernel = Kernel::r3;
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n + 4, n + 4);
   L.topLeftCorner(n, n) = kernel_matrix(sources, Kernel::r3);
-  L.topRightCorner(n, 1).setOnes();
+  L.col(n).head(n).setOnes();
   L.block(0, n + 1, n, 3) = rows_of(sources);
   L.bottomLeftCorner(4, n) = L.topRightCorner(n, 4).transpose();
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n + 4, 3);
