@@ -43,11 +43,27 @@ struct MatchParams {
   int matches = 12;
 };
 
+enum class PairTest { proportions, printed };  ///< see pair_mismatch in match/quadruples.h
+
+/// What grows from quadruples (Sec. 6.2, App. A and B) needs. These defaults find sets under pose; paper_preset() has the printed ones.
+struct PaperParams {
+  double descriptor_limit = 0;
+  PairTest pair_test = PairTest::proportions;
+  double pair_tolerance = 0.25;
+  double direction_angle = 0.6;
+  double descriptor_spread = 2.5;
+  double condition_min = 0.15;
+  double bending_limit = 25;
+  double chamfer_limit = 0.03;
+  int quadruples = 500;
+};
+
 struct Params {
   VoxelParams voxel;
   SalientParams salient;
   DescriptorParams descriptor;
   MatchParams match;
+  PaperParams paper;
   int threads = 0;
 };
 
