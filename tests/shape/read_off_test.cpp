@@ -43,7 +43,7 @@ TEST_F(ReadOff, RefusesDamagedFiles) {
   expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 1e999\n0 1 0\n3 0 1 2\n", "line 4: '1e999' is not a finite number");
   expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 3\n", "line 6: vertex 3 does not exist");
   expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 -1\n", "line 6: vertex -1 does not exist");
-  expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: a vertex number is missing");
+  expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1\n", "line 6: a face of 3 corners does not fit its line");
   expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3000000000 0 1 2\n", "line 6: a face of 3000000000 corners");
   expect_error("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n2 0 1\n", "no triangles");
   for (const std::size_t length : {20u, 30u, 45u, 60u}) expect_error("a.off", tetrahedron.substr(0, length), "truncated");
