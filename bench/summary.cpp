@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "summary.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+#include <limits>
+
+namespace homolog::bench {
+namespace {
+
+using Group = std::vector<const Result*>;
+
+double mean_of(const Group& group, const std::function<double(const Result&)>& value) {
+  double sum = 0;
+  for (const Result* r : group) sum += value(*r);
+  return group.empty() ? 0 : sum / static_cast<double>(group.size());
+}
+
+Group found_of(const Group& group) {
+  Group found;
+  std::copy_if(group.begin(), group.end(), std::back_inserter(found), [](const Result* r) { return r->score.found; });
+  return found;
+}
+
+// Nothing found is farther off than anything found.
+double median_transfer(const Group& group) {
+  std::vector<double> values;
+  for (const Result* r : group) values.push_back(r->score.found ? r->score.transfer.median : std::numeric_limits<double>::infinity());
+  std::sort(values.begin(), values.end());
+  return values.empty() ? 0 : values[(values.size() - 1) / 2];
+}
+
+double share_right(const Result& r) {
+  return r.score.first.judged > 0 ? static_cast<double>(r.score.first.right) / r.score.first.judged : 0;
+}
+
+std::string line(const std::string& name, const Group& group) {
+  const auto mean = [&](auto member) { return mean_of(group, member); };
+  return fmt::format(
+      "{:<22} {:>5} {:>5} {:>7.3f} {:>6.3f} {:>6.3f} {:>6.3f} {:>6.1f} {:>9.4f} {:>9.4f} {:>6.3f} {:>6.3f} {:>6.3f} {:>6.2f}\n", name,
+      group.size(), found_of(group).size(), mean([](const Result& r) { return r.score.success; }),
+      mean([](const Result& r) { return r.score.success_in_six; }), mean([](const Result& r) { return r.score.success_direct; }),
+      mean(share_right), mean([](const Result& r) { return r.score.first.right; }), median_transfer(group),
+      mean_of(found_of(group), [](const Result& r) { return r.score.transfer.mean; }),
+      mean([](const Result& r) { return r.score.transfer.within_05; }), mean([](const Result& r) { return r.score.transfer.within_10; }),
+      calibration_error(group), mean([](const Result& r) { return r.cpu_seconds; }));
+}
+
+std::string lines_by(const Group& all, const std::function<std::string(const Result&)>& key) {
+  std::vector<std::pair<std::string, Group>> groups;  // in the order of the list
+  for (const Result* r : all) {
+    const std::string name = key(*r);
+    auto place = std::find_if(groups.begin(), groups.end(), [&](const auto& g) { return g.first == name; });
+    if (place == groups.end()) place = groups.insert(groups.end(), {name, {}});
+    place->second.push_back(r);
+  }
+  std::string text;
+  for (const auto& [name, group] : groups) text += line(name, group);
+  return text;
+}
+
+std::string handedness_line(const Group& group) {
+  int right = 0, wrong = 0, ambiguous = 0, mirrored = 0;
+  for (const Result* r : group) {
+    if (!r->score.success) continue;
+    const bool unsure = r->score.handedness == Handedness::ambiguous;
+    ambiguous += unsure;
+    right += !unsure && r->score.handedness_right;
+    wrong += !unsure && !r->score.handedness_right;
+    mirrored += r->score.handedness == Handedness::mirrored;
+  }
+  return fmt::format("handedness of right first matches: {} right, {} wrong, {} ambiguous; {} told mirrored\n", right, wrong, ambiguous,
+                     mirrored);
+}
+
+std::string loss_line(const Group& group) {
+  std::array<int, 4> counts{};
+  int errors = 0;
+  for (const Result* r : group) {
+    if (r->score.error.empty())
+      ++counts[static_cast<std::size_t>(r->score.lost)];
+    else
+      ++errors;
+  }
+  return fmt::format("lost at: points {}, family {}, ranking {}; ok {}; errors {}\n", counts[0], counts[1], counts[2], counts[3], errors);
+}
+
+}  // namespace
+
+double calibration_error(const std::vector<const Result*>& results) {
+  struct Bin {
+    double confidence = 0, success = 0;
+  };
+  std::array<Bin, 5> bins;
+  const Group found = found_of(results);
+  for (const Result* r : found) {
+    Bin& bin = bins[static_cast<std::size_t>(std::clamp(r->score.confidence * 5, 0.0, 4.0))];
+    bin.confidence += r->score.confidence;
+    bin.success += r->score.success;
+  }
+  double error = 0;
+  for (const Bin& bin : bins) error += std::abs(bin.confidence - bin.success);
+  return found.empty() ? 0 : error / static_cast<double>(found.size());
+}
+
+std::string summary(const std::vector<Result>& results) {
+  Group all;
+  for (const Result& r : results) {
+    if (r.judged) all.push_back(&r);
+  }
+  std::string text =
+      fmt::format("{:<22} {:>5} {:>5} {:>7} {:>6} {:>6} {:>6} {:>6} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6}\n", "", "pairs", "found", "success",
+                  "in six", "direct", "share", "right", "transfer", "mean", "<=.05", "<=.10", "calib", "CPU s");
+  text += lines_by(all, [](const Result& r) { return r.pair.task; });
+  text += lines_by(all, [](const Result& r) { return set_of(r.pair); });
+  text += line("all", all);
+  text += loss_line(all) + handedness_line(all);
+  const std::size_t unjudged = results.size() - all.size();
+  return unjudged > 0 ? text + fmt::format("without truth: {}\n", unjudged) : text;
+}
+
+}  // namespace homolog::bench

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "truth.h"
+
+#include <Eigen/QR>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <stdexcept>
+
+namespace homolog::bench {
+namespace {
+
+constexpr std::size_t nearest_least = 12;
+constexpr double nearest_radii = 1.5;
+constexpr double landmark_reach = 0.2;  // of the landmarks' extent: as far as they were measured to place points (README)
+
+double extent(const std::vector<Vec3>& points) {
+  Vec3 low = points.front(), high = points.front();
+  for (const Vec3& p : points) low = low.cwiseMin(p), high = high.cwiseMax(p);
+  return (high - low).norm();
+}
+
+// The true pairs around x: all within the distance, at least the nearest twelve.
+Similarity local_similarity(const TrueMap& map, const Vec3& x, double distance) {
+  std::vector<std::pair<double, std::size_t>> order(map.model.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = {(map.model[i] - x).squaredNorm(), i};
+  const auto near_end = std::partition(order.begin(), order.end(), [&](const auto& o) { return o.first <= distance * distance; });
+  auto count = static_cast<std::size_t>(near_end - order.begin());
+  if (count < nearest_least) {
+    count = std::min(nearest_least, order.size());
+    std::nth_element(order.begin(), order.begin() + static_cast<long>(count) - 1, order.end());
+  }
+  std::vector<Vec3> model, data;
+  for (std::size_t i = 0; i < count; ++i) {
+    model.push_back(map.model[order[i].second]);
+    data.push_back(map.data[order[i].second]);
+  }
+  return fit_similarity(model, data, map.mirrored);
+}
+
+// Is the pair a mirror image? Bodies bend, so neighbourhoods are asked, not the whole: the sum of what each loses by either choice.
+bool is_mirrored(const TruePoints& points) {
+  const auto loss = [&](bool mirrored) { return residual(fit_similarity(points.model, points.data, mirrored), points.model, points.data); };
+  if (!points.dense) return loss(true) < 0.5 * loss(false);
+  TrueMap map;
+  map.model = points.model;
+  map.data = points.data;
+  const double distance = 0.15 * extent(map.model);
+  const std::size_t step = std::max<std::size_t>(1, map.model.size() / 100);
+  double balance = 0;
+  for (std::size_t i = 0; i < map.model.size(); i += step) {
+    for (const bool mirrored : {false, true}) {
+      map.mirrored = mirrored;
+      balance += (mirrored ? -1 : 1) * local_similarity(map, map.model[i], distance).scale;
+    }
+  }
+  return balance < 0;  // the better choice has the larger scale: both share the denominator
+}
+
+// phi = -r with constants projected out; the similarity has taken the linear part.
+void fit_spline(TrueMap& map) {
+  const auto n = static_cast<Eigen::Index>(map.model.size());
+  Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n + 1, n + 1);
+  Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n + 1, 3);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const auto a = static_cast<std::size_t>(i);
+    for (Eigen::Index j = 0; j < n; ++j) system(i, j) = -(map.model[a] - map.model[static_cast<std::size_t>(j)]).norm();
+    system(i, n) = system(n, i) = 1;
+    right.row(i) = (map.data[a] - map.whole(map.model[a])).transpose();
+  }
+  // Least norm: two joints of a skeleton may share a place.
+  const Eigen::MatrixXd solution = system.completeOrthogonalDecomposition().solve(right);
+  for (Eigen::Index i = 0; i < n; ++i) map.weights.push_back(solution.row(i).transpose());
+  map.constant = solution.row(n).transpose();
+}
+
+TrueMap make_map(bool dense, bool mirrored, const std::vector<Vec3>& model, const std::vector<Vec3>& data) {
+  TrueMap map;
+  map.dense = dense;
+  map.mirrored = mirrored;
+  map.model = model;
+  map.data = data;
+  map.whole = fit_similarity(model, data, mirrored);
+  if (dense) return map;
+  map.reach = landmark_reach * extent(model);
+  fit_spline(map);
+  return map;
+}
+
+std::optional<Placed> carry_by_landmarks(const TrueMap& map, const Vec3& x) {
+  Vec3 position = map.whole(x) + map.constant;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < map.model.size(); ++i) {
+    const double r = (x - map.model[i]).norm();
+    position -= r * map.weights[i];
+    nearest = std::min(nearest, r);
+  }
+  if (nearest > map.reach) return std::nullopt;
+  return Placed{position, map.whole.scale};
+}
+
+}  // namespace
+
+Truth make_truth(const TruePoints& points) {
+  if (points.model.size() < 4 || points.model.size() != points.data.size()) {
+    throw std::invalid_argument("a truth needs at least four pairs of true points");
+  }
+  const bool mirrored = is_mirrored(points);
+  Truth truth{make_map(points.dense, mirrored, points.model, points.data), std::nullopt};
+  if (!points.swapped_data.empty()) truth.swapped = make_map(points.dense, !mirrored, points.model, points.swapped_data);
+  return truth;
+}
+
+std::optional<Placed> carry(const TrueMap& map, const Vec3& model_position, double model_radius) {
+  if (!map.dense) return carry_by_landmarks(map, model_position);
+  const Similarity local = local_similarity(map, model_position, nearest_radii * model_radius);
+  return Placed{local(model_position), local.scale};
+}
+
+}  // namespace homolog::bench
