@@ -35,7 +35,7 @@ std::vector<Vec3> surface_voxels(const Interior& interior) {
   const auto by_hash = [](const auto& a, const auto& b) { return a.first < b.first; };
   std::sort(all.begin(), all.end(), by_hash);
   std::vector<Vec3> chosen;
-  for (std::size_t n = 0; n < std::min(crowd, all.size()); ++n) chosen.push_back(interior.frame.world_from_voxel(all[n].second));
+  for (std::size_t n = 0; n < std::min(crowd, all.size()); ++n) chosen.push_back(all[n].second);
   return chosen;
 }
 
@@ -54,26 +54,30 @@ SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
   return {place, normal};
 }
 
+// Squared distances to the nearest chosen voxel, brought up to date; returns the farthest voxel.
+Eigen::Index choose_next(const Eigen::MatrixX3f& voxels, Eigen::Index chosen, Eigen::ArrayXf& distance) {
+  distance = distance.min((voxels.rowwise() - voxels.row(chosen)).rowwise().squaredNorm().array());
+  Eigen::Index farthest = 0;
+  distance.maxCoeff(&farthest);
+  return farthest;
+}
+
 }  // namespace
 
 std::vector<SurfaceSample> sample_surface(const Interior& interior, int count) {
-  const std::vector<Vec3> voxels = surface_voxels(interior);
+  const std::vector<Vec3> places = surface_voxels(interior);
   std::vector<SurfaceSample> samples;
-  if (voxels.empty()) return samples;
-  Vec3 centre = Vec3::Zero();
-  for (const Vec3& v : voxels) centre += v / static_cast<double>(voxels.size());
-  std::vector<double> distance(voxels.size());
-  for (std::size_t i = 0; i < voxels.size(); ++i) distance[i] = (voxels[i] - centre).squaredNorm();
-  for (std::size_t i = 0; i < voxels.size(); ++i) {
-    const std::size_t next = std::max_element(distance.begin(), distance.end()) - distance.begin();
-    if (distance[next] <= 0 || static_cast<int>(samples.size()) == count) break;
-    const bool first = samples.empty() && i == 0;
-    for (std::size_t n = 0; n < voxels.size(); ++n) {
-      const double d = (voxels[n] - voxels[next]).squaredNorm();
-      distance[n] = first ? d : std::min(distance[n], d);
-    }
-    const SurfaceSample settled = settle(interior, voxels[next]);
+  if (places.empty()) return samples;
+  Eigen::MatrixX3f voxels(places.size(), 3);  // in voxels, where single precision is exact
+  for (std::size_t i = 0; i < places.size(); ++i) voxels.row(i) = places[i].cast<float>();
+  Eigen::Index next = 0;
+  (voxels.rowwise() - voxels.colwise().mean()).rowwise().squaredNorm().maxCoeff(&next);
+  Eigen::ArrayXf distance = Eigen::ArrayXf::Constant(voxels.rows(), std::numeric_limits<float>::infinity());
+  for (std::size_t tries = 0; tries < places.size() && static_cast<int>(samples.size()) < count; ++tries) {
+    const SurfaceSample settled = settle(interior, interior.frame.world_from_voxel(places[next]));
     if (settled.normal.squaredNorm() > 0.5) samples.push_back(settled);
+    next = choose_next(voxels, next, distance);
+    if (distance[next] <= 0) break;
   }
   return samples;
 }
