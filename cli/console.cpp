@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "console.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <system_error>
+
+#include "homolog/base/errors.h"
+
+namespace homolog::cli {
+
+void print_result(std::string_view text) {
+  errno = 0;
+  const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
+  if (!written || std::fflush(stdout) != 0) {
+    throw OutputError(fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
+  }
+}
+
+void print_message(std::string_view sentence) { fmt::print(stderr, "homolog: {}\n", sentence); }
+
+Console::Console(bool quiet) : quiet_(quiet), progress_(!quiet && isatty(STDERR_FILENO)) {}
+Console::~Console() { clear(); }
+
+void Console::stage(std::string_view text) {
+  if (!progress_) return;
+  fmt::print(stderr, "\r\033[K{} ...", text);
+  std::fflush(stderr);
+  shown_ = true;
+}
+
+void Console::warn(std::string_view sentence) {
+  if (quiet_) return;
+  clear();
+  print_message(fmt::format("warning: {}", sentence));
+}
+
+void Console::clear() {
+  if (shown_) fmt::print(stderr, "\r\033[K");
+  shown_ = false;
+}
+
+}  // namespace homolog::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "described_file.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "homolog/shape/read_mesh.h"
+
+namespace homolog::cli {
+
+DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, Console& console) {
+  const std::string name = std::filesystem::path(path).filename().string();
+  console.stage(fmt::format("reading {}", name));
+  DescribedFile file{read_mesh(path), {}};
+  console.stage(fmt::format("describing {}", name));
+  try {
+    file.shape = describe_shape(file.mesh, params, part);
+  } catch (const ShapeError& error) {
+    throw ShapeError(fmt::format("cannot use '{}': {}", path, error.what()));
+  }
+  file.shape.name = name;
+  if (file.shape.guessed > 0) console.warn(fmt::format("{} is open; {:.2g} % of the inside was guessed", name, 100 * file.shape.guessed));
+  return file;
+}
+
+}  // namespace homolog::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// From a file's name to a described shape, with progress, warnings and errors that name the file.
+#pragma once
+
+#include <string>
+
+#include "console.h"
+#include "homolog/homolog.h"
+
+namespace homolog::cli {
+
+struct DescribedFile {
+  Mesh mesh;
+  Shape shape;
+};
+
+/// Throws FileError or ShapeError.
+DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, Console& console);
+
+}  // namespace homolog::cli

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "family_results.h"
+
+#include <fmt/format.h>
+
+#include "exit_codes.h"
+#include "homolog/outputs/landmarks.h"
+#include "homolog/outputs/match_json.h"
+#include "homolog/outputs/report.h"
+
+namespace homolog::cli {
+
+std::string family_table(const Family& family) {
+  if (family.matches.empty()) return "";
+  std::string table = "rank  pairs  confidence  handedness     scale   bending   chamfer  of model  of data\n";
+  int rank = 0;
+  for (const Match& match : family.matches) {
+    table += fmt::format("{:4}  {:5}  {:10.2f}  {:10}  {:8.4g}  {:8.4f}  {:8.4f}  {:6.0f} %  {:5.0f} %\n", ++rank, match.pairs.size(),
+                         match.confidence, handedness_name(match.handedness), match.similarity.scale, match.bending, match.chamfer,
+                         100 * match.model_coverage, 100 * match.data_coverage);
+  }
+  return table;
+}
+
+std::string why_nothing(const StageCounts& counts) {
+  long before = 0;
+  for (const auto& [stage, count] : counts.stages) {
+    if (count == 0 && before == 0) return fmt::format("nothing found: the stage '{}' had nothing to begin with", stage);
+    if (count == 0) return fmt::format("nothing found: the last {} candidates died at the stage '{}'", before, stage);
+    before = count;
+  }
+  return "nothing found";
+}
+
+namespace {
+
+std::vector<std::pair<std::string, std::string>> result_files(const DescribedFile& model, const DescribedFile& data, const Family& family,
+                                                              const Params& params, const std::string& json) {
+  const Match best = family.matches.empty() ? Match{} : family.matches.front();
+  const auto on_model = model_landmarks(best), on_data = data_landmarks(best);
+  return {{"match.json", json},
+          {"model.landmarks.csv", landmarks_csv(on_model)},
+          {"data.landmarks.csv", landmarks_csv(on_data)},
+          {"model.mrk.json", landmarks_markups(on_model)},
+          {"data.mrk.json", landmarks_markups(on_data)},
+          {"report.html", match_report({model.mesh, model.shape}, {data.mesh, data.shape}, family, params)}};
+}
+
+}  // namespace
+
+int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
+            const ResultFolder& folder, Console& console) {
+  console.stage("writing results");
+  const std::string json = match_json(model.shape, data.shape, family, params);
+  if (folder.wanted()) folder.write(result_files(model, data, family, params, json));
+  console.clear();
+  std::string text = options.json ? json : family_table(family);
+  if (folder.wanted() && !options.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
+  print_result(text);
+  if (!family.matches.empty()) return kFound;
+  print_message(why_nothing(family.counts));
+  return kNothingFound;
+}
+
+}  // namespace homolog::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// What a user takes home from a family of matches: the table, the JSON, the files.
+#pragma once
+
+#include "console.h"
+#include "described_file.h"
+#include "options.h"
+#include "result_folder.h"
+
+namespace homolog::cli {
+
+/// rank, pairs, confidence, handedness, scale, bending, chamfer, covered shares; one line a match, empty for an empty family.
+std::string family_table(const Family& family);
+
+/// At which stage the last candidate died, as a sentence.
+std::string why_nothing(const StageCounts& counts);
+
+/// Writes the files, prints the table or JSON, and returns the exit code. Everything is computed before anything is written.
+int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
+            const ResultFolder& folder, Console& console);
+
+}  // namespace homolog::cli

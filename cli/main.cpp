@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: MIT
+// The program `homolog`: reads the command line, runs one verb, and turns every error into one sentence and an exit code.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+#include "console.h"
+#include "exit_codes.h"
+#include "homolog/base/errors.h"
+#include "suggestion.h"
+#include "verbs.h"
+
+namespace homolog::cli {
+namespace {
+
+constexpr const char* kExamples = R"(Examples:
+  # Find one bear in the other and look at bears/report.html
+  homolog match bear.off bear_bis.off --out bears
+  # Its symmetries; its salient points; all parameters
+  homolog symmetry bear.off
+  homolog points bear.off
+  homolog params
+
+Exit codes: 0 found, 1 nothing found, 2 wrong usage or parameter, 3 unreadable or unusable shape, 4 result cannot be written.
+'homolog VERB --help' tells more.)";
+
+/// The first word that nobody understood, with what may have been meant.
+[[noreturn]] void reject_word(const CLI::App& app, const std::vector<std::string>& extras) {
+  const bool is_verb = app.get_parent() == nullptr;
+  std::vector<std::string> words;
+  for (const CLI::App* verb : app.get_subcommands({})) words.push_back(verb->get_name());
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& name : option->get_lnames()) words.push_back("--" + name);
+  }
+  auto extra = std::find_if(extras.begin(), extras.end(), [](const std::string& word) { return word.size() > 1 && word[0] == '-'; });
+  if (extra == extras.end()) extra = extras.begin();
+  const std::string word = extra->substr(0, extra->find('='));
+  const char* kind = word[0] == '-' ? "unknown option" : is_verb ? "unknown verb" : "one file too many:";
+  const std::string hint = suggestion(word, words);
+  const std::string help = fmt::format("; 'homolog {}--help' lists all", is_verb ? "" : app.get_name() + " ");
+  throw UsageError(fmt::format("{} '{}'{}", kind, word, hint.empty() ? help : hint));
+}
+
+void reject_extras(const CLI::App& program) {
+  if (const auto extras = program.remaining(); !extras.empty()) reject_word(program, extras);
+  for (const CLI::App* verb : program.get_subcommands()) {
+    if (const auto extras = verb->remaining(); !extras.empty()) reject_word(*verb, extras);
+  }
+}
+
+/// The text that --help or --version asked for.
+int answer(const CLI::App& program, const CLI::Success& asked) {
+  const bool version = dynamic_cast<const CLI::CallForVersion*>(&asked) != nullptr;
+  print_result(version ? std::string(asked.what()) + "\n" : program.help());
+  return kFound;
+}
+
+/// What CLI11 objects to, as one sentence. A mistyped option is the likelier cause of whatever else is missing, so it goes first.
+[[noreturn]] void reject(const CLI::App& program, const CLI::ParseError& error) {
+  reject_extras(program);
+  const std::string text = error.what();
+  if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) throw UsageError(fmt::format("{} needs a value", text.substr(0, text.find(':'))));
+  throw UsageError(text + "; 'homolog VERB --help' tells more");
+}
+
+int run(int argc, char** argv) {
+  CLI::App program("Finds corresponding parts of 3D shapes.", "homolog");
+  program.set_version_flag("--version", "homolog " HOMOLOG_VERSION, "Print the version.");
+  program.footer(kExamples);
+  program.get_formatter()->column_width(32);
+  program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  program.allow_extras();  // so that we can say which word is wrong, and what may have been meant
+  const Verb verbs[] = {add_match(program), add_symmetry(program), add_points(program), add_params(program)};
+  for (const Verb& verb : verbs) verb.app->allow_extras();
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& asked) {
+    return answer(program, asked);
+  } catch (const CLI::ParseError& error) {
+    reject(program, error);
+  }
+  reject_extras(program);
+  for (const Verb& verb : verbs) {
+    if (verb.app->parsed()) return verb.run();
+  }
+  throw UsageError("say what to do: match, symmetry, points or params; 'homolog --help' tells more");
+}
+
+int report(int code, const std::string& sentence) {
+  print_message(sentence);
+  return code;
+}
+
+}  // namespace
+}  // namespace homolog::cli
+
+int main(int argc, char** argv) {
+  using namespace homolog;
+  using namespace homolog::cli;
+  try {
+    return run(argc, argv);
+  } catch (const UsageError& error) {
+    return report(kWrongUsage, error.what());
+  } catch (const ParamError& error) {
+    return report(kWrongUsage, error.what());
+  } catch (const OutputError& error) {
+    return report(kNotWritten, error.what());
+  } catch (const Error& error) {
+    return report(kUnusableShape, error.what());
+  } catch (const std::bad_alloc&) {
+    return report(kUnusableShape, "not enough memory for these shapes; a lower --resolution needs less");
+  } catch (const std::exception& error) {
+    return report(kUnusableShape, fmt::format("something failed inside, which is a mistake of the program: {}", error.what()));
+  }
+}

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// homolog match MODEL DATA: every place where the model, or a part of it, occurs in the data.
+#include <memory>
+
+#include "exit_codes.h"
+#include "family_results.h"
+#include "part.h"
+#include "self_match.h"
+#include "verbs.h"
+
+namespace homolog::cli {
+namespace {
+
+struct MatchOptions {
+  CommonOptions common;
+  std::string model, data, model_part, data_part;
+  bool self = false;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  # Find one bear in the other and look at bears/report.html
+  homolog match bear.off bear_bis.off --out bears
+  # Find the upper half of one bear in the other
+  homolog match bear.off bear_bis.off --model-part "y>0.5"
+  # Mirror images are not wanted; the result as JSON
+  homolog match bear.off bear_bis.off --mirror forbid --json
+  # The paper's choices on a coarser grid
+  homolog match bear.off bear_bis.off --preset paper --resolution 96)";
+
+int run_match(const MatchOptions& options) {
+  if (options.self) {
+    if (!options.data.empty() || !options.data_part.empty()) throw UsageError("with --self there is only one shape and no DATA");
+    return match_with_itself(options.model, options.model_part, options.common);
+  }
+  if (options.data.empty()) throw UsageError("match needs a second file, DATA, or --self");
+  const Params params = params_of(options.common);
+  const auto model_part = parse_part(options.model_part), data_part = parse_part(options.data_part);
+  const ResultFolder folder(options.common.out);
+  Console console(options.common.quiet);
+  const DescribedFile model = describe_file(options.model, model_part, params, console);
+  const DescribedFile data = describe_file(options.data, data_part, params, console);
+  console.stage("matching");
+  return deliver(model, data, match_shapes(model.shape, data.shape, params), params, options.common, folder, console);
+}
+
+}  // namespace
+
+Verb add_match(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("match", "Find every place where MODEL, or a part of it, occurs in DATA.");
+  const auto options = std::make_shared<MatchOptions>();
+  verb->add_option("MODEL", options->model, "The shape to be found (OFF, OBJ, PLY, STL, glTF, ...).")->type_name("")->required();
+  verb->add_option("DATA", options->data, "The shape to search.")->type_name("");
+  verb->add_flag("--self", options->self, "Match MODEL with itself, as 'homolog symmetry' does.");
+  verb->add_option("--model-part", options->model_part, kPartHelp)->type_name("SPEC");
+  verb->add_option("--data-part", options->data_part, kPartHelp)->type_name("SPEC");
+  add_common_options(*verb, options->common);
+  verb->footer(kExamples);
+  return {verb, [options] { return run_match(*options); }};
+}
+
+}  // namespace homolog::cli

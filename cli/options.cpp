@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "options.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+
+#include "exit_codes.h"
+
+namespace homolog::cli {
+namespace {
+
+std::string flag_help(const ParameterInfo& info) {
+  const std::string value = to_text(get_parameter({}, info.name));
+  return fmt::format("{} {}{}{}; default {}.", info.sentence, range_text(info), info.unit.empty() ? "" : " ", info.unit, value);
+}
+
+int parse_threads(const std::string& text) {
+  int threads = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+  if (error != std::errc() || end != text.data() + text.size() || threads < 0 || threads > 1024) {
+    throw UsageError(fmt::format("--threads is '{}', but must be a whole number from 0 (all cores) to 1024", text));
+  }
+  return threads;
+}
+
+}  // namespace
+
+std::string range_text(const ParameterInfo& info) {
+  if (info.choices.empty()) return fmt::format("{} to {}", info.min, info.max);
+  std::string text = info.choices.front();
+  for (std::size_t i = 1; i < info.choices.size(); ++i) text += (i + 1 == info.choices.size() ? " or " : ", ") + info.choices[i];
+  return text;
+}
+
+void add_preset_option(CLI::App& verb, ParameterOptions& options) {
+  verb.add_option("--preset", options.preset, "Start from these parameters: default, or paper for the paper's choices.")->type_name("NAME");
+}
+
+void add_common_options(CLI::App& verb, CommonOptions& options) {
+  verb.add_option("--out", options.out, "Write all results into this folder.")->type_name("DIR");
+  verb.add_flag("--json", options.json, "Print the result as JSON instead of a table.");
+  verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
+  verb.add_option("--threads", options.threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
+  add_preset_option(verb, options.parameters);
+  for (const ParameterInfo& info : parameter_table()) {
+    const auto store = [&given = options.parameters.given, name = info.name](const std::string& value) { given[name] = value; };
+    verb.add_option_function<std::string>("--" + info.name, store, flag_help(info))
+        ->group("Parameters")
+        ->type_name(info.choices.empty() ? info.integer ? "N" : "X" : "WORD");
+  }
+}
+
+Params params_of(const ParameterOptions& options) {
+  if (options.preset != "default" && options.preset != "paper") {
+    throw UsageError(fmt::format("the preset '{}' is unknown; there are default and paper", options.preset));
+  }
+  Params params = options.preset == "paper" ? paper_preset() : Params{};
+  for (const auto& [name, value] : options.given) set_parameter(params, name, value);
+  return params;
+}
+
+Params params_of(const CommonOptions& options) {
+  Params params = params_of(options.parameters);
+  params.threads = parse_threads(options.threads);
+  return params;
+}
+
+}  // namespace homolog::cli

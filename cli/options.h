@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// Options that verbs share. Every row of the parameter table becomes a flag by itself.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+#include "homolog/base/parameters.h"
+
+namespace homolog::cli {
+
+struct ParameterOptions {
+  std::string preset = "default";
+  std::map<std::string, std::string> given;  ///< by the parameter's name, only what stands on the command line
+};
+
+struct CommonOptions {
+  ParameterOptions parameters;
+  std::string threads = "0";
+  std::string out;
+  bool json = false, quiet = false;
+};
+
+/// --preset alone, and with one flag per parameter.
+void add_preset_option(CLI::App& verb, ParameterOptions& options);
+void add_common_options(CLI::App& verb, CommonOptions& options);
+
+/// The preset with every given flag on top, wherever they stand. Throws ParamError or UsageError.
+Params params_of(const ParameterOptions& options);
+Params params_of(const CommonOptions& options);
+
+/// The range of a parameter in words: "32 to 1024", "allow, forbid or only".
+std::string range_text(const ParameterInfo& info);
+
+}  // namespace homolog::cli

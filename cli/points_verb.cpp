@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// homolog points SHAPE: the salient points alone.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "described_file.h"
+#include "exit_codes.h"
+#include "homolog/outputs/landmarks.h"
+#include "homolog/outputs/match_json.h"
+#include "homolog/outputs/report.h"
+#include "options.h"
+#include "part.h"
+#include "result_folder.h"
+#include "verbs.h"
+
+namespace homolog::cli {
+namespace {
+
+struct PointsOptions {
+  CommonOptions common;
+  std::string shape, part;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  # The salient points of a bear as files, and as pictures in bear_points/report.html
+  homolog points bear.off --out bear_points
+  # Those of one part, as JSON
+  homolog points bear.off --part "x=0.2..0.8,y>0.4" --json)";
+
+std::string points_table(const std::vector<Landmark>& landmarks) {
+  if (landmarks.empty()) return "";
+  std::string table = "label           x           y           z      radius  response\n";
+  for (const auto& [label, point, confidence] : landmarks) {
+    const Vec3& x = point.position;
+    table +=
+        fmt::format("{:5}  {:10.5g}  {:10.5g}  {:10.5g}  {:10.5g}  {:8.2f}\n", label, x.x(), x.y(), x.z(), point.radius, point.response);
+  }
+  return table;
+}
+
+int run_points(const PointsOptions& options) {
+  const Params params = params_of(options.common);
+  const auto part = parse_part(options.part);
+  const ResultFolder folder(options.common.out);
+  Console console(options.common.quiet);
+  const DescribedFile file = describe_file(options.shape, part, params, console);
+
+  console.stage("writing results");
+  const auto landmarks = point_landmarks(file.shape);
+  const std::string json = points_json(file.shape, params);
+  if (folder.wanted()) {
+    folder.write({{"points.json", json},
+                  {"points.csv", landmarks_csv(landmarks)},
+                  {"points.mrk.json", landmarks_markups(landmarks)},
+                  {"report.html", points_report({file.mesh, file.shape}, params)}});
+  }
+  console.clear();
+  std::string text = options.common.json ? json : points_table(landmarks);
+  if (folder.wanted() && !options.common.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
+  print_result(text);
+  if (!landmarks.empty()) return kFound;
+  print_message("nothing found: the shape has no salient point");
+  return kNothingFound;
+}
+
+}  // namespace
+
+Verb add_points(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("points", "Find the salient points of a shape.");
+  const auto options = std::make_shared<PointsOptions>();
+  verb->add_option("SHAPE", options->shape, "The shape (OFF, OBJ, PLY, STL, glTF, ...).")->type_name("")->required();
+  verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  add_common_options(*verb, options->common);
+  verb->footer(kExamples);
+  return {verb, [options] { return run_points(*options); }};
+}
+
+}  // namespace homolog::cli

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// homolog symmetry SHAPE: its symmetries and repeated parts.
+#include <memory>
+
+#include "family_results.h"
+#include "part.h"
+#include "self_match.h"
+#include "verbs.h"
+
+namespace homolog::cli {
+namespace {
+
+struct SymmetryOptions {
+  CommonOptions common;
+  std::string shape, part;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  # Symmetries and repeated parts of a bear
+  homolog symmetry bear.off --out bear_symmetry
+  # Mirror symmetries alone
+  homolog symmetry bear.off --mirror only)";
+
+}  // namespace
+
+int match_with_itself(const std::string& path, const std::string& part, const CommonOptions& options) {
+  const Params params = params_of(options);
+  const auto box = parse_part(part);
+  const ResultFolder folder(options.out);
+  Console console(options.quiet);
+  const DescribedFile file = describe_file(path, box, params, console);
+  console.stage("matching");
+  return deliver(file, file, find_symmetries(file.shape, params), params, options, folder, console);
+}
+
+Verb add_symmetry(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("symmetry", "Find a shape's symmetries and repeated parts.");
+  const auto options = std::make_shared<SymmetryOptions>();
+  verb->add_option("SHAPE", options->shape, "The shape (OFF, OBJ, PLY, STL, glTF, ...).")->type_name("")->required();
+  verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  add_common_options(*verb, options->common);
+  verb->footer(kExamples);
+  return {verb, [options] { return match_with_itself(options->shape, options->part, options->common); }};
+}
+
+}  // namespace homolog::cli

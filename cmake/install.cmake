@@ -1,0 +1,14 @@
+# Installs library, headers (in their folders), program, and the package that find_package(homolog) finds.
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/homolog)
+install(TARGETS homolog EXPORT homologTargets)
+install(TARGETS homolog_cli)
+# Two headers stay behind: they show nlohmann's JSON, which a user of the library need not have.
+install(DIRECTORY src/homolog TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "json_text.h" EXCLUDE PATTERN "report_mesh.h" EXCLUDE)
+install(EXPORT homologTargets NAMESPACE homolog:: DESTINATION ${package_dir})
+
+configure_package_config_file(cmake/homologConfig.cmake.in ${PROJECT_BINARY_DIR}/homologConfig.cmake INSTALL_DESTINATION ${package_dir})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/homologConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/homologConfig.cmake ${PROJECT_BINARY_DIR}/homologConfigVersion.cmake DESTINATION ${package_dir})

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The stages of describe_shape, each called alone: example_02_stages SHAPE
+#include <homolog/describe/descriptors.h>
+#include <homolog/salient/direction.h>
+#include <homolog/salient/salient_points.h>
+#include <homolog/shape/distance_transform.h>
+#include <homolog/shape/read_mesh.h>
+#include <homolog/shape/voxelize.h>
+
+#include <algorithm>
+#include <iostream>
+
+using namespace homolog;
+
+int main(int argc, char** argv) {
+  if (argc != 2) return 2;
+  const Params params;
+
+  const Mesh mesh = read_mesh(argv[1]);
+  std::cout << mesh.vertices.size() << " vertices, " << mesh.triangles.size() << " triangles\n";
+
+  // Sec. 4.2: the characteristic function, as the share of each voxel that is inside.
+  const Voxels voxels = voxelize(mesh, params.voxel.resolution);
+  const auto [x, y, z] = voxels.interior.frame.size;
+  std::cout << x << " x " << y << " x " << z << " voxels, " << 100 * voxels.guessed << " % of the inside guessed\n";
+
+  // Sec. 4.3: salient points, then their directions.
+  std::vector<SalientPoint> points = find_salient_points(voxels.interior, params.salient);
+  find_directions(voxels.interior, params.salient, points);
+  std::cout << points.size() << " salient points\n";
+
+  // Sec. 5.2: descriptors; how different are the two largest points?
+  const Descriptors descriptors = compute_descriptors(voxels.interior, points, params.descriptor);
+  if (points.size() > 1)
+    std::cout << "descriptor distance " << descriptor_distance(descriptors[0], descriptors[1], params.descriptor.kind) << "\n";
+
+  // Sec. 6.2.3: how far a voxel can be from the solid.
+  const Volume<float> distances = distance_transform(voxels.interior);
+  std::cout << "farthest voxel " << *std::max_element(distances.values.begin(), distances.values.end()) << " away\n";
+}

@@ -1,0 +1,224 @@
+# SPDX-License-Identifier: MIT
+# The program as a user meets it: exit codes, messages, files. In: the program and its version. Standard library only.
+import csv
+import json
+import os
+import resource
+import shlex
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import bear
+
+PROGRAM, VERSION = os.path.abspath(sys.argv[1]), sys.argv[2]
+VERBS = ("match", "symmetry", "points", "params")
+COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
+MATCH_FILES = {"match.json", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
+POINT_FILES = {"points.json", "points.csv", "points.mrk.json", "report.html"}
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        bear.write_all(self.folder.name)
+
+    def run_it(self, *words, **how):
+        how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
+        return subprocess.run([PROGRAM, *words], cwd=self.folder.name, text=True, timeout=300, **how)
+
+    def path(self, *names):
+        return os.path.join(self.folder.name, *names)
+
+    def read(self, *names):
+        with open(self.path(*names)) as file:
+            return file.read()
+
+    def expect_message(self, code, part, *words):
+        """The exit code, one sentence on stderr that holds `part`, and nothing on stdout."""
+        done = self.run_it(*words)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, r"\Ahomolog: [^\n]+\n\Z")
+        self.assertIn(part, done.stderr)
+        self.assertEqual(done.stdout, "")
+
+
+class Usage(Program):
+    def test_version(self):
+        self.assertEqual(self.run_it("--version").stdout, f"homolog {VERSION}\n")
+
+    def test_help_has_examples_for_every_verb(self):
+        for words in ((), *((verb,) for verb in VERBS)):
+            done = self.run_it(*words, "--help")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertIn("\n  homolog ", done.stdout)
+
+    def test_wrong_words(self):
+        self.expect_message(2, "did you mean 'match'", "mtch", "bear.off", "bear.off")
+        self.expect_message(2, "did you mean '--resolution'", "match", "bear.off", "bear.off", "--resolutoin", "64")
+        self.expect_message(2, "did you mean '--mirror'", "match", "--miror=only", "bear.off")
+        self.expect_message(2, "unknown option '--frobnicate'", "points", "bear.off", "--frobnicate")
+        self.expect_message(2, "match, symmetry, points or params")
+        self.expect_message(2, "MODEL is required", "match")
+        self.expect_message(2, "DATA", "match", "bear.off")
+        self.expect_message(2, "--self", "match", "bear.off", "bear.off", "--self")
+        self.expect_message(2, "one file too many: 'c'", "match", "a", "b", "c")
+        self.expect_message(2, "--out needs a value", "points", "bear.off", "--out")
+
+    def test_wrong_values(self):
+        self.expect_message(2, "'resolution' is '8', but must be", "points", "bear.off", "--resolution", "8")
+        self.expect_message(2, "'resolution' is '64.5'", "points", "bear.off", "--resolution", "64.5")
+        self.expect_message(2, "'sigma0' is 'nan'", "points", "bear.off", "--sigma0", "nan")
+        self.expect_message(2, "allow, forbid, only", "match", "bear.off", "bear.off", "--mirror", "maybe")
+        self.expect_message(2, "preset 'papr'", "points", "bear.off", "--preset", "papr")
+        self.expect_message(2, "--threads is '-1'", "points", "bear.off", "--threads", "-1")
+
+    def test_wrong_parts(self):
+        for part in ("y", "y>", "w>0.5", "y>1.5", "y>-1", "y>0.5,", ",", "y=0.2", "y=0.2..", "y=1..2", "y>0.5z<1", "y>nan"):
+            self.expect_message(2, f"part '{part}' is not understood", "points", "bear.off", "--part", part)
+        self.expect_message(2, "leaves nothing", "points", "bear.off", "--part", "y>0.6,y<0.5")
+
+    def test_params(self):
+        text = self.run_it("params").stdout
+        for item in json.loads(self.run_it("params", "--json").stdout):
+            value = item["value"] if isinstance(item["value"], str) else format(item["value"], "g")
+            for part in (item["name"], item["symbol"], value, item["unit"], item["sentence"]):
+                self.assertIn(part, text)
+        paper = {item["name"]: item["value"] for item in json.loads(self.run_it("params", "--preset", "paper", "--json").stdout)}
+        self.assertEqual((paper["resolution"], paper["seeds"]), (128, "quadruples"))
+
+
+class Failures(Program):
+    def test_unusable_shapes(self):
+        for name in ("missing.off", "empty.off", "garbage.off", "truncated.off", "infinite.off", "flat.off"):
+            with self.subTest(name):
+                self.expect_message(3, name, "points", name, "--out", "new/folder", *COARSE)
+                self.expect_message(3, name, "match", "plate.off", name, "--out", "new/folder", *COARSE)
+        self.assertFalse(os.path.exists(self.path("new")))
+
+    def test_unwritable_folder_is_told_before_the_shapes_are_read(self):
+        self.expect_message(4, "bear.off/results", "match", "missing.off", "missing.off", "--out", "bear.off/results")
+        self.expect_message(4, "bear.off", "points", "missing.off", "--out", "bear.off")
+
+    def test_failed_write_leaves_nothing(self):
+        def small_files():
+            signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+            resource.setrlimit(resource.RLIMIT_FSIZE, (600, 600))
+
+        done = self.run_it("points", "bear.off", "--out", "new", *COARSE, preexec_fn=small_files, restore_signals=False)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertEqual(done.stdout, "")
+        self.assertRegex(done.stderr, r"homolog: cannot write '[^\n]+\n\Z")
+        self.assertFalse(os.path.exists(self.path("new")))
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_full_standard_output(self):
+        with open("/dev/full", "w") as full:
+            self.assertEqual(self.run_it("params", stdout=full).returncode, 4)
+
+    def test_too_little_memory_is_one_sentence(self):
+        def little_memory():
+            resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20))
+
+        done = self.run_it("points", "bear.off", "--resolution", "1000", preexec_fn=little_memory)
+        self.assertEqual(done.returncode, 3, done.stderr)
+        self.assertIn("not enough memory", done.stderr)
+
+
+class Results(Program):
+    def landmark_labels(self, side):
+        rows = list(csv.DictReader(self.read("out", f"{side}.landmarks.csv").splitlines()))
+        markups = json.loads(self.read("out", f"{side}.mrk.json"))["markups"][0]["controlPoints"]
+        self.assertEqual([row["label"] for row in rows], [point["label"] for point in markups])
+        for row, point in zip(rows, markups):
+            self.assertEqual([float(row[axis]) for axis in "xyz"], point["position"])
+        return [row["label"] for row in rows]
+
+    def test_match(self):
+        done = self.run_it("match", "bear.off", self.path("bear_bis.off"), "--out", "out", *COARSE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(set(os.listdir(self.path("out"))), MATCH_FILES)
+        self.assertTrue(done.stdout.startswith("rank  pairs  confidence  handedness"))
+        self.assertTrue(done.stdout.endswith("The report is out/report.html\n"))
+        result = json.loads(self.read("out", "match.json"))
+        self.assertEqual((result["model"]["file"], result["data"]["file"]), ("bear.off", "bear_bis.off"))
+        self.assertEqual(len(done.stdout.splitlines()), len(result["matches"]) + 2)
+        self.assertEqual(len(self.landmark_labels("model")), len(result["matches"][0]["pairs"]))
+        self.assertEqual(self.landmark_labels("model"), self.landmark_labels("data"))
+        self.assertNotIn(self.folder.name, "".join(self.read("out", name) for name in MATCH_FILES))
+
+    def test_json_on_stdout_is_the_file(self):
+        done = self.run_it("match", "bear.off", "bear_bis.off", "--json", "--out", "out", *COARSE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout, self.read("out", "match.json"))
+
+    def test_bytes_do_not_depend_on_threads(self):
+        for threads in "12":
+            done = self.run_it("match", "bear.off", "bear_bis.off", "--threads", threads, "--out", f"out{threads}", *COARSE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+        for name in MATCH_FILES:
+            self.assertEqual(self.read("out1", name), self.read("out2", name), name)
+
+    def test_points(self):
+        done = self.run_it("points", "bear.off", "--out", "out", *COARSE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(set(os.listdir(self.path("out"))), POINT_FILES)
+        points = json.loads(self.read("out", "points.json"))["shape"]["points"]
+        self.assertEqual(len(points), len(self.read("out", "points.csv").splitlines()) - 1)
+        self.assertEqual(len(points), len(done.stdout.splitlines()) - 2)
+
+    def test_part_is_less_than_the_whole(self):
+        def diagonal(*words):
+            return json.loads(self.run_it("points", "bear.off", "--json", *COARSE, *words).stdout)["shape"]["diagonal"]
+
+        self.assertLess(diagonal("--part", "y>0.5"), 0.9 * diagonal())
+
+    def test_symmetry_is_a_match_with_itself(self):
+        verb = self.run_it("symmetry", "bear.off", "--json", *COARSE)
+        flag = self.run_it("match", "bear.off", "--self", "--json", *COARSE)
+        self.assertEqual(verb.returncode, 0, verb.stderr)
+        self.assertEqual(verb.stdout, flag.stdout)
+        self.assertEqual(json.loads(verb.stdout)["model"], json.loads(verb.stdout)["data"])
+
+    def test_flags_win_over_the_preset_wherever_they_stand(self):
+        first = self.run_it("points", "bear.off", "--json", "--resolution", "48", "--preset", "paper")
+        last = self.run_it("points", "bear.off", "--json", "--preset", "paper", "--resolution", "48")
+        parameters = json.loads(first.stdout)["parameters"]
+        self.assertEqual((parameters["resolution"], parameters["seeds"]), (48, "quadruples"))
+        self.assertEqual(first.stdout, last.stdout)
+
+    def test_open_mesh_is_told_unless_quiet(self):
+        done = self.run_it("points", "open.off", *COARSE)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertRegex(done.stderr, r"\Ahomolog: warning: open.off is open; [0-9.e-]+ % of the inside was guessed\n\Z")
+        self.assertEqual(self.run_it("points", "open.off", "--quiet", *COARSE).stderr, "")
+
+    def test_nothing_found_still_writes_files(self):
+        done = self.run_it("points", "plate.off", "--threshold", "1", "--out", "points", *COARSE)
+        self.assertEqual((done.returncode, done.stderr), (1, "homolog: nothing found: the shape has no salient point\n"))
+        self.assertEqual(json.loads(self.read("points", "points.json"))["shape"]["points"], [])
+        done = self.run_it("match", "plate.off", "bear.off", "--threshold", "1", "--out", "out", *COARSE)
+        self.assertEqual(done.returncode, 1, done.stderr)
+        self.assertRegex(done.stderr, r"\Ahomolog: nothing found: [^\n]*stage[^\n]*\n\Z")
+        self.assertEqual(json.loads(self.read("out", "match.json"))["matches"], [])
+        self.assertEqual(self.landmark_labels("model"), [])
+        self.assertEqual(set(os.listdir(self.path("out"))), MATCH_FILES)
+
+
+class Examples(Program):
+    def test_every_example_of_the_help_runs(self):
+        lines = [line.strip() for words in ((), *((verb,) for verb in VERBS)) for line in self.run_it(*words, "--help").stdout.splitlines()]
+        examples = [shlex.split(line)[1:] for line in lines if line.startswith("homolog ")]
+        self.assertGreater(len(examples), 10)
+        for words in examples:
+            with self.subTest(" ".join(words)):
+                done = self.run_it(*words, *(COARSE if words[0] != "params" and "--resolution" not in words else ()))
+                self.assertEqual((done.returncode, done.stderr), (0, ""))
+                self.assertNotEqual(done.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
