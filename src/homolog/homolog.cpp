@@ -2,10 +2,13 @@
 #include "homolog/homolog.h"
 
 #include "homolog/base/parallel.h"
+#include "homolog/match/axis_starts.h"
 #include "homolog/match/candidates.h"
+#include "homolog/match/clique_growth.h"
 #include "homolog/match/family.h"
 #include "homolog/match/growth.h"
 #include "homolog/match/seeds.h"
+#include "homolog/match/verify.h"
 #include "homolog/salient/direction.h"
 #include "homolog/salient/salient_points.h"
 #include "homolog/shape/voxelize.h"
@@ -16,27 +19,55 @@ namespace {
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
 constexpr std::size_t sets_of_a_chirality = 10;
+constexpr std::size_t starts_of_a_chirality = 4;
 
+// Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
 std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model,
                                const Shape& data, const Params& params) {
   std::vector<GrownSet> sets(seeds.size());
   parallel_for(seeds.size(),
                [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
-  return distinct_sets(std::move(sets), sets_of_a_chirality);
+  sets = distinct_sets(std::move(sets), sets_of_a_chirality);
+  const std::vector<GrownSet> starts = axis_starts(model, data, chirality, starts_of_a_chirality);
+  sets.insert(sets.end(), starts.begin(), starts.end());
+  return sets;
+}
+
+// Pairs as seeds, growth under the set's own spline, refinement as a cloth.
+Family match_by_pairs(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
+  const CorrespondenceSet candidates = find_candidates(model, data, params);  // Sec. 6.2.1
+  const std::vector<Seed> seeds = find_seeds(candidates, model, data);
+  std::vector<GrownSet> sets = grow_all(seeds, Chirality::proper, candidates, model, data, params);
+  const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
+  sets.insert(sets.end(), mirrored.begin(), mirrored.end());
+  Family family{make_family(sets, model, data, params, without_identity), {}};  // Sec. 6.2.3
+  family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
+                          {"seeds", static_cast<long>(seeds.size())},
+                          {"grown sets", static_cast<long>(sets.size())}};
+  return family;
+}
+
+// The paper's way, to the letter where its equations allow.
+Family match_by_quadruples(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
+  const CorrespondenceSet candidates = find_candidates(model, data, params);            // eq. 7
+  const GrownSets grown = grow_quadruples(candidates, model.diagonal, params.paper);    // App. A, B, Sec. 6.2.2
+  Family family{verified_sets(grown.sets, model, data, params, without_identity), {}};  // eq. 8, Sec. 6.2.3
+  family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
+                          {"quadruples", grown.quadruples},
+                          {"grown sets", static_cast<long>(grown.sets.size())}};
+  return family;
 }
 
 Family match_described(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
   check(params);
   const ThreadLimit limit(params.threads);
-  const CorrespondenceSet candidates = find_candidates(model, data, params);                         // Sec. 6.2.1
-  const std::vector<Seed> seeds = find_seeds(candidates, model, data);                               // App. A, B
-  std::vector<GrownSet> sets = grow_all(seeds, Chirality::proper, candidates, model, data, params);  // Sec. 6.2.2
-  const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
-  sets.insert(sets.end(), mirrored.begin(), mirrored.end());
-  Family family = make_family(sets, model, data, params, without_identity);  // Sec. 6.2.3
-  family.counts.stages = {{"model points", static_cast<long>(model.points.size())}, {"data points", static_cast<long>(data.points.size())},
-                          {"candidates", static_cast<long>(candidates.size())},     {"seeds", static_cast<long>(seeds.size())},
-                          {"grown sets", static_cast<long>(sets.size())},           {"matches", static_cast<long>(family.matches.size())}};
+  const bool by_pairs = params.match.seeds == Seeds::pairs;
+  Family family = (by_pairs ? match_by_pairs : match_by_quadruples)(model, data, params, without_identity);
+  measure_chamfer(family.matches, model, data);  // eq. 9
+  auto& stages = family.counts.stages;
+  stages.insert(stages.begin(), {"data points", static_cast<long>(data.points.size())});
+  stages.insert(stages.begin(), {"model points", static_cast<long>(model.points.size())});
+  stages.emplace_back("matches", static_cast<long>(family.matches.size()));
   return family;
 }
 

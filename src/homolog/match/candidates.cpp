@@ -36,10 +36,12 @@ CorrespondenceSet find_candidates(const Shape& model, const Shape& data, const P
     mark_nearest(
         rows, kept, [&](int i) { return distance(i, j); }, [&](int i) { chosen(i, j) = 1; });
   }
+  const double limit = params.match.seeds == Seeds::quadruples ? params.paper.descriptor_limit : 0;
   CorrespondenceSet candidates;
   for (int i = 0; i < rows; ++i) {
     for (int j = 0; j < columns; ++j) {
-      if (chosen(i, j)) candidates.push_back({i, j, model.points[i], data.points[j], distance(i, j), 0});
+      const bool too_far = limit > 0 && distance(i, j) >= limit;  // eq. 7
+      if (chosen(i, j) && !too_far) candidates.push_back({i, j, model.points[i], data.points[j], distance(i, j), 0});
     }
   }
   return candidates;

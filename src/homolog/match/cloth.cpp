@@ -13,9 +13,24 @@ constexpr double anchor_weight = 2;
 constexpr float outlier_share = 0.1f;  // of the expected sum of weights: what has no partner is not drawn anywhere
 constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
 
-// Best local rotation of the wanted chirality, and the local scale drawn half way to the cloth's.
+// Turns `rotation` to the one nearest to `covariance`, starting where it stands (Mueller et al. 2016); its determinant stays as it is.
+void turn_towards(const Mat3& covariance, Mat3& rotation) {
+  for (int step = 0; step < 12; ++step) {
+    Vec3 turn = Vec3::Zero();
+    double grip = 1e-300;
+    for (int a = 0; a < 3; ++a) {
+      turn += rotation.col(a).cross(covariance.col(a));
+      grip += rotation.col(a).dot(covariance.col(a));
+    }
+    turn /= std::abs(grip);
+    const double angle = turn.norm();
+    if (!(angle > 1e-5)) return;
+    rotation = Eigen::AngleAxisd(angle, turn / angle) * rotation;
+  }
+}
+
+// Best local rotations, and local scales half way between the measured one and the cloth's.
 void fit_local_frames(Cloth& cloth, const Body& model) {
-  const double wanted = cloth.chirality == Chirality::proper ? 1 : -1;
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
     Mat3 covariance = Mat3::Zero();
     double before = 0, after = 0;
@@ -26,10 +41,7 @@ void fit_local_frames(Cloth& cloth, const Body& model) {
       after += image.squaredNorm();
     }
     if (before == 0) continue;
-    const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    Vec3 D(1, 1, 1);
-    if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * wanted < 0) D.z() = -1;
-    cloth.rotations[i] = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
+    turn_towards(covariance, cloth.rotations[i]);
     const double measured = std::clamp(std::sqrt(after / before), 0.25 * cloth.scale, 4 * cloth.scale);
     cloth.scales[i] = std::sqrt(measured * cloth.scale);
   }

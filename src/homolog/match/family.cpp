@@ -10,20 +10,16 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t least_pairs = 4;  // three are unlikely to define good matchings (Sec. 6.2)
-constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
-constexpr double near_tie = 0.1;        // confidence within which the other handedness makes a match ambiguous
-
-bool same_pair(const Correspondence& a, const Correspondence& b) { return a.model == b.model && a.data == b.data; }
+constexpr std::size_t least_pairs = 4;    // three are unlikely to define good matchings (Sec. 6.2)
+constexpr std::size_t guided = 12;        // so many of the drawn sets are worth guiding
+constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
+constexpr double near_tie = 0.1;          // confidence within which the other handedness makes a match ambiguous
+constexpr double mirror_handicap = 0.05;  // confidence by which a mirrored match must be better to come first
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
-    return std::any_of(b.begin(), b.end(), [&](const Correspondence& d) { return same_pair(c, d); });
+    return std::any_of(b.begin(), b.end(), [&](const Correspondence& d) { return c.model == d.model && c.data == d.data; });
   });
-}
-
-double extent_of(const RefinedMatch& refined, const Shape& model, const Shape& data) {
-  return std::min(data.diagonal, refined.match.similarity.scale * model.diagonal);
 }
 
 double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
@@ -32,36 +28,55 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
+double rank_value(const Refined& r) { return r.confidence - (r.cloth.chirality == Chirality::mirrored ? mirror_handicap : 0); }
+
+bool better(const Refined& a, const Refined& b) {
+  if (rank_value(a) != rank_value(b)) return rank_value(a) > rank_value(b);
+  return a.pairs.size() > b.pairs.size();
+}
+
+// Best first; of several drawn to the same map the best one stays.
+std::vector<Refined> without_duplicates(std::vector<Refined> all, const Shape& model, const Shape& data) {
+  std::stable_sort(all.begin(), all.end(), better);
+  std::vector<Refined> kept;
+  for (Refined& candidate : all) {
+    const double tolerance = same_map * extent_of(candidate.cloth, model, data);
+    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Refined& other) {
+      return other.cloth.chirality == candidate.cloth.chirality && mean_distance(candidate.cloth.nodes, other.cloth.nodes) < tolerance;
+    });
+    if (!known) kept.push_back(std::move(candidate));
+  }
+  return kept;
+}
+
 // Share of a's mapped nodes that lie where b's do, whichever nodes those are: do both claim the same part of the data?
-double overlap(const RefinedMatch& a, const RefinedMatch& b, double tolerance) {
+double overlap(const Cloth& a, const Cloth& b, double tolerance) {
   const auto is_covered = [&](const Vec3& node) {
-    return std::any_of(b.cloth.nodes.begin(), b.cloth.nodes.end(),
+    return std::any_of(b.nodes.begin(), b.nodes.end(),
                        [&](const Vec3& other) { return (node - other).squaredNorm() < tolerance * tolerance; });
   };
-  return static_cast<double>(std::count_if(a.cloth.nodes.begin(), a.cloth.nodes.end(), is_covered)) /
-         static_cast<double>(a.cloth.nodes.size());
+  return static_cast<double>(std::count_if(a.nodes.begin(), a.nodes.end(), is_covered)) / static_cast<double>(a.nodes.size());
 }
 
 // A match is ambiguous when its mirror image explains the same part of the data about as well.
-void tell_handedness(std::vector<RefinedMatch>& all, const Shape& model, const Shape& data) {
-  std::vector<Handedness> told;
-  for (const RefinedMatch& a : all) {
-    const bool ambiguous = std::any_of(all.begin(), all.end(), [&](const RefinedMatch& b) {
-      return a.cloth.chirality != b.cloth.chirality && b.match.confidence > a.match.confidence - near_tie &&
-             overlap(a, b, 0.1 * extent_of(a, model, data)) > 0.6;
-    });
-    told.push_back(ambiguous ? Handedness::ambiguous : a.match.handedness);
-  }
-  for (std::size_t i = 0; i < all.size(); ++i) all[i].match.handedness = told[i];
+bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
+  return std::any_of(all.begin(), all.end(), [&](const Refined& other) {
+    return match.cloth.chirality != other.cloth.chirality && other.confidence > match.confidence - near_tie &&
+           overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
+  });
 }
 
 bool allowed(Chirality chirality, Mirror mirror) {
   return mirror == Mirror::allow || (mirror == Mirror::only) == (chirality == Chirality::mirrored);
 }
 
-bool better(const RefinedMatch& a, const RefinedMatch& b) {
-  if (a.match.confidence != b.match.confidence) return a.match.confidence > b.match.confidence;
-  return a.match.pairs.size() > b.match.pairs.size();
+std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
+  std::vector<Refined> refined(sets.size());
+  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data); });
+  refined = without_duplicates(std::move(refined), model, data);
+  refined.resize(std::min(refined.size(), guided));
+  parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });
+  return without_duplicates(std::move(refined), model, data);
 }
 
 }  // namespace
@@ -91,28 +106,18 @@ std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most
   return distinct;
 }
 
-Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity) {
-  std::vector<RefinedMatch> refined(sets.size());
-  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = refine_set(sets[i], model, data, params); });
-  std::stable_sort(refined.begin(), refined.end(), better);
-  std::vector<RefinedMatch> kept;
-  for (RefinedMatch& candidate : refined) {
-    if (candidate.match.pairs.size() < least_pairs) continue;
-    const double tolerance = same_map * extent_of(candidate, model, data);
-    if (without_identity && mean_distance(candidate.cloth.nodes, model.body.nodes) < tolerance) continue;
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const RefinedMatch& other) {
-      return other.cloth.chirality == candidate.cloth.chirality && mean_distance(candidate.cloth.nodes, other.cloth.nodes) < tolerance;
-    });
-    if (!known) kept.push_back(std::move(candidate));
+std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
+                               bool without_identity) {
+  const std::vector<Refined> refined = refine_all(sets, model, data, params);
+  std::vector<Match> matches;
+  for (const Refined& r : refined) {
+    const bool identity = without_identity && mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal;
+    if (identity || r.pairs.size() < least_pairs || !allowed(r.cloth.chirality, params.match.mirror)) continue;
+    if (static_cast<int>(matches.size()) == params.match.matches) break;
+    matches.push_back(match_of(r, model));
+    if (is_ambiguous(r, refined, model, data)) matches.back().handedness = Handedness::ambiguous;
   }
-  tell_handedness(kept, model, data);
-  Family family;
-  for (const RefinedMatch& r : kept) {
-    if (allowed(r.cloth.chirality, params.match.mirror) && static_cast<int>(family.matches.size()) < params.match.matches) {
-      family.matches.push_back(r.match);
-    }
-  }
-  return family;
+  return matches;
 }
 
 }  // namespace homolog

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Sec. 6 and 6.2.3: from grown sets to the family: refined, verified, weighed, without duplicates, best first, handedness told.
+// Sec. 6 and 6.2.3: from grown sets to the family: refined, weighed, without duplicates, best first, handedness told.
 // Differs: ranked by the dense evidence of both shapes instead of the number of pairs (docs/paper_map.md).
 #pragma once
 
+#include "homolog/base/parameters.h"
 #include "homolog/describe/shape.h"
 #include "homolog/match/growth.h"
 #include "homolog/match/match.h"
@@ -13,6 +14,7 @@ namespace homolog {
 std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most);
 
 /// `sets` refined and ranked. `without_identity`: leave out what maps a shape on itself as it is.
-Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity);
+std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
+                               bool without_identity);
 
 }  // namespace homolog

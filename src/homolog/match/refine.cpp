@@ -40,31 +40,54 @@ ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
   return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
 }
 
+void weigh_again(Refined& refined, const Shape& model, const Shape& data) {
+  const double growth_score = refined.evidence.growth_score;
+  refined.evidence = weigh(refined.cloth, model.body, model.diagonal, data.surface, data.diagonal);
+  refined.evidence.growth_score = growth_score;
+  refined.confidence = confidence_of(refined.evidence);
+}
+
+void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule) {
+  const double extent = extent_of(refined.cloth, model, data);
+  const std::vector<SurfaceSample> near = samples_near(refined.cloth, data.surface, near_share * extent);
+  if (!near.empty()) draw_cloth(refined.cloth, model.body, near, extent, anchors_of(refined.pairs, model.body), schedule);
+}
+
 }  // namespace
 
-RefinedMatch refine_set(const GrownSet& set, const Shape& model, const Shape& data, const Params& params) {
-  RefinedMatch refined;
-  Match& match = refined.match;
-  match.pairs = set.pairs;
-  Cloth& cloth = refined.cloth = lay_cloth(model.body, set.spline, set.chirality);
-  const double extent = std::min(data.diagonal, cloth.scale * model.diagonal);
-  const std::vector<SurfaceSample> near = samples_near(cloth, data.surface, near_share * extent);
-  draw_cloth(cloth, model.body, near, extent, anchors_of(match.pairs, model.body), first_draw);
+double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
+  return std::min(data.diagonal, cloth.scale * model.diagonal);
+}
+
+Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data) {
+  Refined refined{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};
+  refined.evidence.growth_score = set.score;
+  draw(refined, model, data, first_draw);
+  weigh_again(refined, model, data);
+  return refined;
+}
+
+void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   for (int round = 0; round < guided_rounds; ++round) {
-    match.pairs = guided_pairs(cloth, model, data, params.descriptor.kind);
-    draw_cloth(cloth, model.body, near, extent, anchors_of(match.pairs, model.body), next_draw);
+    refined.pairs = guided_pairs(refined.cloth, model, data, kind);
+    draw(refined, model, data, next_draw);
   }
-  match.data_from_model = spline_through(cloth, model.body);
+  weigh_again(refined, model, data);
+}
+
+Match match_of(const Refined& refined, const Shape& model) {
+  Match match;
+  match.pairs = refined.pairs;
+  match.data_from_model = spline_through(refined.cloth, model.body);
   match.similarity = match.data_from_model.similarity;
-  match.handedness = set.chirality == Chirality::proper ? Handedness::proper : Handedness::mirrored;
+  match.handedness = refined.cloth.chirality == Chirality::proper ? Handedness::proper : Handedness::mirrored;
   match.bending = match.data_from_model.energy / (match.similarity.scale * match.similarity.scale * model.diagonal);
-  match.evidence = weigh(cloth, model.body, model.diagonal, data.surface, data.diagonal);
-  match.evidence.growth_score = set.score;
-  match.confidence = confidence_of(match.evidence);
+  match.evidence = refined.evidence;
+  match.confidence = refined.confidence;
   match.model_coverage = match.evidence.model_reached;
   match.data_coverage = match.evidence.data_reached;
   for (Correspondence& c : match.pairs) c.confidence *= match.confidence;
-  return refined;
+  return match;
 }
 
 }  // namespace homolog

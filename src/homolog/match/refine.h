@@ -9,12 +9,24 @@
 
 namespace homolog {
 
-struct RefinedMatch {
-  Match match;
+/// A match on its way: its pairs so far, its cloth, and what the cloth tells.
+struct Refined {
+  CorrespondenceSet pairs;
   Cloth cloth;
+  Evidence evidence;
+  double confidence = 0;
 };
 
-/// Two rounds of cloth and guided pairs. The match has its evidence and confidence; handedness is the chirality of its map.
-RefinedMatch refine_set(const GrownSet& set, const Shape& model, const Shape& data, const Params& params);
+/// Lays the set and draws it on to the data.
+Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data);
+
+/// Two rounds of pairs guided by the cloth and of drawing with them.
+void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
+
+/// The match with its warp; chamfer and the final handedness are left to the family.
+Match match_of(const Refined& refined, const Shape& model);
+
+/// Diagonal of the mapped model, at most the data's: the length by which a match of parts is measured.
+double extent_of(const Cloth& cloth, const Shape& model, const Shape& data);
 
 }  // namespace homolog

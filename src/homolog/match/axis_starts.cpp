@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/axis_starts.h"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "homolog/base/parallel.h"
+
+namespace homolog {
+namespace {
+
+constexpr std::size_t samples = 150;  // of each skin
+constexpr int settle_steps = 12;
+constexpr double different = 0.15;  // mean distance of two starts, in data diagonals, from which they differ
+
+struct Skin {
+  Eigen::Matrix3Xd places, normals;
+  Vec3 centre = Vec3::Zero();
+  Mat3 axes = Mat3::Identity();  // columns, longest first
+  double radius = 0;             // root mean square distance from the centre
+};
+
+Skin skin_of(const Shape& shape) {
+  const std::size_t count = std::min(samples, shape.surface.size());
+  Skin skin{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
+  for (std::size_t i = 0; i < count; ++i) {
+    skin.places.col(i) = shape.surface[i].position;
+    skin.normals.col(i) = shape.surface[i].normal;
+  }
+  skin.centre = skin.places.rowwise().mean();
+  const Eigen::Matrix3Xd offsets = skin.places.colwise() - skin.centre;
+  skin.radius = std::sqrt(offsets.squaredNorm() / static_cast<double>(count));
+  skin.axes = Eigen::SelfAdjointEigenSolver<Mat3>(offsets * offsets.transpose()).eigenvectors().rowwise().reverse();
+  return skin;
+}
+
+// All 24 ways to lay three axes on three axes with a determinant of the wanted sign.
+std::vector<Mat3> axis_turns(double sign) {
+  std::vector<Mat3> turns;
+  int order[3] = {0, 1, 2};
+  do {
+    for (int flips = 0; flips < 8; ++flips) {
+      Mat3 turn = Mat3::Zero();
+      for (int a = 0; a < 3; ++a) turn(order[a], a) = (flips >> a & 1) ? -1 : 1;
+      if (turn.determinant() * sign > 0) turns.push_back(turn);
+    }
+  } while (std::next_permutation(order, order + 3));
+  return turns;
+}
+
+struct Settled {
+  Similarity similarity;
+  double distance = std::numeric_limits<double>::infinity();  // two-way mean, normals counted, in data diagonals
+};
+
+// For each column of `from` the index of the nearest of `to`, places that face away being farther; adds up the distances.
+double nearest_partners(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& from_normals, const Eigen::Matrix3Xd& to,
+                        const Eigen::Matrix3Xd& to_normals, double facing, std::vector<int>& partner) {
+  double sum = 0;
+  partner.resize(from.cols());
+  for (Eigen::Index i = 0; i < from.cols(); ++i) {
+    const Eigen::ArrayXd away = 1 - (to_normals.transpose() * from_normals.col(i)).array();
+    const Eigen::ArrayXd cost = (to.colwise() - from.col(i)).colwise().squaredNorm().transpose().array() + facing * facing * away;
+    sum += std::sqrt(cost.minCoeff(&partner[i]));
+  }
+  return sum / static_cast<double>(from.cols());
+}
+
+Similarity umeyama(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, double sign) {
+  const Vec3 a = from.rowwise().mean(), b = to.rowwise().mean();
+  const Eigen::Matrix3Xd x = from.colwise() - a, y = to.colwise() - b;
+  const Eigen::JacobiSVD<Mat3> svd(y * x.transpose(), Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec3 D(1, 1, 1);
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * sign < 0) D.z() = -1;
+  Similarity s;
+  s.rotation = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
+  s.scale = std::max(svd.singularValues().dot(D) / x.squaredNorm(), 1e-6);
+  s.shift = b - s.scale * (s.rotation * a);
+  return s;
+}
+
+// Closest points both ways and the best similarity, in turn.
+Settled settle(Similarity start, const Skin& model, const Skin& data, double diagonal, double sign) {
+  Settled settled{start};
+  std::vector<int> of_model, of_data;
+  for (int step = 0; step <= settle_steps; ++step) {
+    const Similarity& s = settled.similarity;
+    const Eigen::Matrix3Xd mapped = (s.scale * (s.rotation * model.places)).colwise() + s.shift, turned = s.rotation * model.normals;
+    const double facing = 0.1 * diagonal;
+    const double there = nearest_partners(mapped, turned, data.places, data.normals, facing, of_model);
+    const double back = nearest_partners(data.places, data.normals, mapped, turned, facing, of_data);
+    settled.distance = 0.5 * (there + back) / diagonal;
+    if (step == settle_steps) break;
+    const Eigen::Index n = mapped.cols(), m = data.places.cols();
+    Eigen::Matrix3Xd from(3, n + m), to(3, n + m);
+    for (Eigen::Index i = 0; i < n; ++i) from.col(i) = model.places.col(i), to.col(i) = data.places.col(of_model[i]);
+    for (Eigen::Index k = 0; k < m; ++k) from.col(n + k) = model.places.col(of_data[k]), to.col(n + k) = data.places.col(k);
+    settled.similarity = umeyama(from, to, sign);
+  }
+  return settled;
+}
+
+bool same_start(const Similarity& a, const Similarity& b, const Skin& model, double diagonal) {
+  double sum = 0;
+  for (Eigen::Index i = 0; i < model.places.cols(); ++i) sum += (a(model.places.col(i)) - b(model.places.col(i))).norm();
+  return sum / static_cast<double>(model.places.cols()) < different * diagonal;
+}
+
+GrownSet set_of(const Similarity& similarity, Chirality chirality) {
+  GrownSet set;
+  set.chirality = chirality;
+  set.spline.similarity = similarity;
+  set.spline.affine.leftCols<3>() = similarity.scale * similarity.rotation;
+  set.spline.affine.col(3) = similarity.shift;
+  return set;
+}
+
+}  // namespace
+
+std::vector<GrownSet> axis_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most) {
+  if (model.surface.empty() || data.surface.empty()) return {};
+  const double sign = chirality == Chirality::proper ? 1 : -1;
+  const Skin a = skin_of(model), b = skin_of(data);
+  const double axes_sign = a.axes.determinant() * b.axes.determinant() * sign;
+  const std::vector<Mat3> turns = axis_turns(axes_sign);
+  std::vector<Settled> settled(turns.size());
+  parallel_for(turns.size(), [&](std::size_t i) {
+    Similarity start;
+    start.scale = b.radius / a.radius;
+    start.rotation = b.axes * turns[i] * a.axes.transpose();
+    start.shift = b.centre - start.scale * (start.rotation * a.centre);
+    settled[i] = settle(start, a, b, data.diagonal, sign);
+  });
+  std::stable_sort(settled.begin(), settled.end(), [](const Settled& x, const Settled& y) { return x.distance < y.distance; });
+  std::vector<GrownSet> starts;
+  std::vector<Similarity> chosen;
+  for (const Settled& s : settled) {
+    if (starts.size() == most) break;
+    const bool known = std::any_of(chosen.begin(), chosen.end(),
+                                   [&](const Similarity& other) { return same_start(s.similarity, other, a, data.diagonal); });
+    if (known) continue;
+    chosen.push_back(s.similarity);
+    starts.push_back(set_of(s.similarity, chirality));
+  }
+  return starts;
+}
+
+}  // namespace homolog

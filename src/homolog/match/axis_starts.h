@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: starts for whole bodies of the same kind whose salient points differ too much to be paired one by one: the
+// similarities that lay the model's principal axes on the data's, settled on the skin, the best few of them.
+#pragma once
+
+#include "homolog/describe/shape.h"
+#include "homolog/match/growth.h"
+
+namespace homolog {
+
+/// Up to `most` starts of the given chirality without pairs, best first.
+std::vector<GrownSet> axis_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most);
+
+}  // namespace homolog
