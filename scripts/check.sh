@@ -1,8 +1,17 @@
 #!/usr/bin/env bash
 # What tests cannot see: format, who includes whom, length of files, machine paths, commands in the docs, clang-tidy.
 # Needs the release build (scripts/test.sh makes it) for the last two and says so when it is not there.
+#   scripts/check.sh          all of it
+#   scripts/check.sh --quick  without clang-tidy, in a second
 set -euo pipefail
 cd "$(dirname "$0")/.."
+
+quick=no
+case "${1:-}" in
+  "") ;;
+  --quick) quick=yes ;;
+  *) echo "check: unknown option '$1'; the only one is --quick." >&2; exit 2 ;;
+esac
 
 failed=0
 check() {
@@ -63,7 +72,9 @@ clang_tidy=
 for version in 16 17 18 19 20; do
   if command -v "clang-tidy-$version" >/dev/null; then clang_tidy=clang-tidy-$version; break; fi
 done
-if [[ -n $clang_tidy && -f build/release/compile_commands.json ]]; then
+if [[ $quick == yes ]]; then
+  leave_out "clang-tidy" "--quick"
+elif [[ -n $clang_tidy && -f build/release/compile_commands.json ]]; then
   check "$clang_tidy" tidy
 else
   leave_out "clang-tidy" "needs clang-tidy 16 or newer and build/release/compile_commands.json"
