@@ -24,7 +24,8 @@ if ! have dpkg-query || ! have apt-get; then fail "this script knows only apt; e
 
 # A tool may come from anywhere (command:package); a library must be apt's.
 tools=(g++:g++ cmake:cmake ninja:ninja-build pkg-config:pkg-config)
-libraries=(libeigen3-dev libtbb-dev libassimp-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+# assimp's CMake target names zlib, but its package does not bring it.
+libraries=(libeigen3-dev libtbb-dev libassimp-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 if [[ $tests == yes ]]; then
   tools+=(python3:python3 clang-format-14:clang-format-14)  # 14 is in all three systems, so all agree on the format
   libraries+=(libgtest-dev libgmock-dev libbenchmark-dev fonts-dejavu-core)
