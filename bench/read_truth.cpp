@@ -19,6 +19,9 @@ constexpr double in_part = 0.02;  // landmarks are clicked to about 2 % of the d
 
 std::string name_of(const std::string& model) { return fs::path(model).filename().string(); }
 
+// What a part SOURCE__PART was cut from; a whole is its own source.
+std::string source_of(const std::string& name) { return name.substr(0, name.find("__")); }
+
 bool is_in(const IdentityGroup& group, const std::string& name) {
   return std::find(group.names.begin(), group.names.end(), name) != group.names.end();
 }
@@ -48,6 +51,19 @@ std::vector<std::pair<int, int>> vertex_pairs(const fs::path& model_set, const s
   return {};
 }
 
+// Six times the volume of a closed mesh, and of its triangles about the vertices of another.
+double volume(const Mesh& mesh, const std::vector<Vec3>& vertices) {
+  double sum = 0;
+  for (const auto& [a, b, c] : mesh.triangles) sum += vertices[a].cross(vertices[b]).dot(vertices[c]);
+  return sum;
+}
+
+// Is the data a mirror image? Then the triangles of the whole that the model is or was cut from, outward as they are, turn inside
+// out when its vertices go where the data has them.
+bool turns_inside_out(const Mesh& whole, const Mesh& data) {
+  return whole.vertices.size() <= data.vertices.size() && volume(whole, whole.vertices) * volume(whole, data.vertices) < 0;
+}
+
 TruePoints dense_truth(const std::vector<std::pair<int, int>>& pairs, const std::vector<int>& swap, const Mesh& model, const Mesh& data) {
   TruePoints points;
   for (const auto& [a, b] : pairs) {
@@ -61,14 +77,15 @@ TruePoints dense_truth(const std::vector<std::pair<int, int>>& pairs, const std:
 
 // A part that lies in its whole: every place is its own truth, and the other side of z = 0 the swapped one.
 TruePoints part_in_place(const Mesh& part) {
-  TruePoints points{true, part.vertices, part.vertices, part.vertices};
+  TruePoints points;
+  points.model = points.data = points.swapped_data = part.vertices;
   for (Vec3& p : points.swapped_data) p.z() = -p.z();
   return points;
 }
 
 // The landmarks of a mesh, or those of its source that lie in a part of it (SOURCE__PART).
 std::vector<Landmark> landmarks_of(const fs::path& set, const fs::path& other_set, const std::string& name, const Mesh& mesh) {
-  const std::string source = name.substr(0, name.find("__"));
+  const std::string source = source_of(name);
   std::vector<Landmark> landmarks = read_landmarks(set / (source + ".landmarks.txt"));
   if (landmarks.empty()) landmarks = read_landmarks(other_set / (source + ".landmarks.txt"));
   if (source == name) return landmarks;
@@ -79,7 +96,8 @@ std::vector<Landmark> landmarks_of(const fs::path& set, const fs::path& other_se
 
 std::optional<TruePoints> landmark_truth(const std::vector<Landmark>& model, const std::vector<Landmark>& data,
                                          const std::vector<std::size_t>& swap) {
-  TruePoints points{.dense = false, .model = {}, .data = {}, .swapped_data = {}};
+  TruePoints points;
+  points.dense = false;
   for (const Landmark& m : model) {
     const auto found = std::find_if(data.begin(), data.end(), [&](const Landmark& d) { return d.name == m.name; });
     if (found == data.end()) continue;
@@ -88,6 +106,8 @@ std::optional<TruePoints> landmark_truth(const std::vector<Landmark>& model, con
     if (!swap.empty()) points.swapped_data.push_back(data[swap[static_cast<std::size_t>(found - data.begin())]].position);
   }
   if (points.model.size() < 4) return std::nullopt;
+  const auto loss = [&](bool mirrored) { return residual(fit_similarity(points.model, points.data, mirrored), points.model, points.data); };
+  points.mirrored = loss(true) < 0.5 * loss(false);
   return points;
 }
 
@@ -103,7 +123,12 @@ std::optional<TruePoints> TruthReader::read(const PairEntry& pair, const Mesh& m
   }
   const IdentityGroup group = group_of(data_set, data_name, data.vertices.size());
   const auto pairs = vertex_pairs(model_set, model_name, data_set, data_name, group);
-  if (!pairs.empty()) return dense_truth(pairs, vertex_symmetry(data_set, group.names, group.vertices), model, data);
+  if (!pairs.empty()) {
+    TruePoints points = dense_truth(pairs, vertex_symmetry(data_set, group.names, group.vertices), model, data);
+    const std::string source = source_of(model_name);
+    points.mirrored = is_in(group, source) && turns_inside_out(read_mesh(data_set / (source + ".off")), data);
+    return points;
+  }
   const auto data_landmarks = landmarks_of(data_set, data_set, data_name, data);
   return landmark_truth(landmarks_of(model_set, data_set, model_name, model), data_landmarks,
                         read_swap(data_set / (data_name + ".symmetry.txt"), data_landmarks));

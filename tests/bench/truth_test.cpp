@@ -32,7 +32,7 @@ TEST(Truth, SimilarityAndReflectionAreCarriedExactly) {
   for (const bool mirrored : {false, true}) {
     if (mirrored) map.rotation *= -1;
     for (const bool dense : {true, false}) {
-      const Truth truth = make_truth(TruePoints{.dense = dense, .model = model, .data = moved_by(map, model), .swapped_data = {}});
+      const Truth truth = make_truth(TruePoints{dense, mirrored, model, moved_by(map, model), {}});
       EXPECT_EQ(truth.direct.mirrored, mirrored);
       const Vec3 x(0.3, -0.1, 0.05);
       const auto placed = carry(truth.direct, x, 0.2);
@@ -48,14 +48,14 @@ TEST(Truth, BentBodyIsCarriedLocally) {
   const auto bend = [](const Vec3& x) { return Vec3(std::sin(x.x()) * (1 - x.y()), 1 - std::cos(x.x()) * (1 - x.y()), x.z()); };
   std::vector<Vec3> data;
   for (const Vec3& x : model) data.push_back(bend(x));
-  const Truth truth = make_truth({true, model, data, {}});
+  const Truth truth = make_truth({true, false, model, data, {}});
   EXPECT_FALSE(truth.direct.mirrored);
   EXPECT_LT((carry(truth.direct, {0.9, 0, 0}, 0.1)->position - bend({0.9, 0, 0})).norm(), 0.02);
 }
 
 TEST(Truth, LandmarksDoNotPlaceWhatIsFarFromThem) {
   const auto model = cloud(20);
-  const Truth truth = make_truth({false, model, model, {}});
+  const Truth truth = make_truth({false, false, model, model, {}});
   EXPECT_TRUE(carry(truth.direct, model[3] + Vec3(0.1, 0, 0), 0.1));
   EXPECT_FALSE(carry(truth.direct, {3, 0, 0}, 0.1));
 }
