@@ -50,8 +50,9 @@ TEST(DistanceTransform, IsExact) {
 }
 
 TEST(DistanceTransform, IsInfiniteWithoutInside) {
-  for (const float value : distance_transform(random_voxels({5, 6, 7}, 0, 1)).values)
+  for (const float value : distance_transform(random_voxels({5, 6, 7}, 0, 1)).values) {
     EXPECT_EQ(value, std::numeric_limits<float>::infinity());
+  }
 }
 
 TEST(DistanceTransform, DoesNotDependOnThreads) {

@@ -60,8 +60,9 @@ TEST(Polygon, StarsAndLargePolygonsWork) {
 
 TEST(Polygon, PointsAndLinesAddNothing) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
-  for (const std::vector<std::uint32_t>& corners : {std::vector<std::uint32_t>{}, {0}, {0, 1}, {0, 0, 1}, {0, 1, 1, 0}})
+  for (const std::vector<std::uint32_t>& corners : {std::vector<std::uint32_t>{}, {0}, {0, 1}, {0, 0, 1}, {0, 1, 1, 0}}) {
     append_polygon(mesh, corners);
+  }
   EXPECT_TRUE(mesh.triangles.empty());
 }
 

@@ -37,8 +37,9 @@ Box clipped_bounding_box(const std::vector<Vec3>& vertices, const std::vector<st
   bounds.max = -bounds.min;
   std::array<int, 8> winding{};
   std::array<Vec3, 8> corners;
-  for (int i = 0; i < 8; ++i)
+  for (int i = 0; i < 8; ++i) {
     corners[i] = {(i & 1 ? box.max : box.min).x(), (i & 2 ? box.max : box.min).y(), (i & 4 ? box.max : box.min).z()};
+  }
   for (const auto& [a, b, c] : triangles) {
     Polygon polygon{vertices[a], vertices[b], vertices[c]};
     for (int axis = 0; axis < 3; ++axis) {

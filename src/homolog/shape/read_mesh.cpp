@@ -104,8 +104,9 @@ void check_mesh(const Mesh& mesh, const std::string& file) {
         fmt::format("{}: {} triangles are more than the {} that are read; simplify the mesh", file, mesh.triangles.size(), most_triangles));
   }
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
-    if (!mesh.vertices[i].allFinite())
+    if (!mesh.vertices[i].allFinite()) {
       throw FileError(fmt::format("{}, vertex {}: a coordinate is not a finite number; the file is damaged", file, i));
+    }
   }
 }
 

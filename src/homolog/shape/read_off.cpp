@@ -40,8 +40,9 @@ Counts read_header(Text& text) {
 
 void read_face(Text& text, std::string_view line, Mesh& mesh) {
   const long long size = take_integer(text, line, "the number of corners of a face");
-  if (size < 0 || size > static_cast<long long>(line.size() / 2))
+  if (size < 0 || size > static_cast<long long>(line.size() / 2)) {
     fail(text, fmt::format("a face of {} corners does not fit its line; the file is truncated or damaged", size));
+  }
   std::vector<std::uint32_t> corners(static_cast<std::size_t>(size));
   for (std::uint32_t& corner : corners) {
     const long long index = take_integer(text, line, "a vertex number");

@@ -54,8 +54,9 @@ Mesh read_binary(std::string_view content, const std::string& file) {
     for (int corner = 0; corner < 3; ++corner) {
       Vec3 vertex;
       for (int axis = 0; axis < 3; ++axis, bytes += 4) vertex[axis] = std::bit_cast<float>(little_endian(bytes));
-      if (!vertex.allFinite())
+      if (!vertex.allFinite()) {
         throw FileError(fmt::format("{}, triangle {}: a coordinate is not a finite number; the file is damaged", file, i));
+      }
       mesh.vertices.push_back(vertex);
     }
     append_triangle(mesh);

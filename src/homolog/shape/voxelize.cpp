@@ -9,7 +9,6 @@
 #include <cmath>
 
 #include "homolog/base/errors.h"
-#include "homolog/base/parallel.h"
 #include "homolog/shape/clip.h"
 #include "homolog/shape/orient.h"
 #include "homolog/shape/ray_columns.h"
@@ -27,16 +26,29 @@ struct Vote {
 void check_mesh(const Mesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) {
-      if (corner >= mesh.vertices.size())
+      if (corner >= mesh.vertices.size()) {
         throw ShapeError(fmt::format("a triangle names vertex {}, but there are {}", corner, mesh.vertices.size()));
+      }
       if (!mesh.vertices[corner].allFinite()) throw ShapeError(fmt::format("a coordinate of vertex {} is not a finite number", corner));
     }
   }
 }
 
+void check_resolution(int resolution) {
+  if (resolution < 1 || resolution > 2048) {
+    throw ParamError(fmt::format("parameter 'resolution' is {}, but must be from 1 to 2048", resolution));
+  }
+}
+
+void check_inside(const Interior& interior, bool closed) {
+  if (std::any_of(interior.values.begin(), interior.values.end(), [](float v) { return v > 0; })) return;
+  throw ShapeError(closed ? "the shape encloses no volume; give a solid, not a flat sheet"
+                          : "the surface has holes too large to tell its inside; close it (fill the holes in a mesh editor) and try again");
+}
+
 Box part_in_world(const Box& whole, const Box& share) {
   if (!(share.min.array() >= 0).all() || !(share.max.array() <= 1).all() || !(share.min.array() < share.max.array()).all()) {
-    throw ShapeError("a part must be a box of shares from 0 to 1, each minimum below its maximum");
+    throw ParamError("a part must be a box of shares from 0 to 1, each minimum below its maximum");
   }
   const Vec3 extent = whole.max - whole.min;
   return {whole.min + share.min.cwiseProduct(extent), whole.min + share.max.cwiseProduct(extent)};
@@ -44,15 +56,19 @@ Box part_in_world(const Box& whole, const Box& share) {
 
 /// A tight grid of cubic voxels around a box and in its middle, with a margin of one voxel.
 GridFrame make_frame(const Box& box, int resolution) {
+  if (!(box.min.array() <= box.max.array()).all()) {
+    throw ShapeError("there is nothing of the shape in this part of its box; choose a larger part");
+  }
   GridFrame frame;
   const Vec3 extent = box.max - box.min;
   frame.spacing = extent.maxCoeff() / resolution;
-  if (!std::isfinite(frame.spacing) || !(frame.spacing > 0))
-    throw ShapeError("the shape has no extent (or one too large for numbers); scale it");
+  if (!std::isfinite(frame.spacing) || !(frame.spacing > 0)) {
+    throw ShapeError("the shape has no extent, or one too large for numbers; scale it");
+  }
   for (int axis = 0; axis < 3; ++axis) {
     const double voxels = std::ceil(extent[axis] / frame.spacing - 1e-9);  // rounding must not add a voxel
     frame.size[axis] = std::max(1, static_cast<int>(voxels)) + 2;
-    frame.origin[axis] = (box.min[axis] + box.max[axis]) / 2 - frame.spacing * (frame.size[axis] - 1) / 2;
+    frame.origin[axis] = box.min[axis] + extent[axis] / 2 - frame.spacing * (frame.size[axis] - 1) / 2;
   }
   return frame;
 }
@@ -69,11 +85,11 @@ GridSurface to_grid(const Mesh& mesh, OrientedSurface&& surface, const GridFrame
 }
 
 /// A closed surface: every ray closes and all axes are equally right.
-std::vector<float> average_axes(const GridSurface& surface, std::size_t voxels) {
-  AxisCoverage coverage{std::vector<float>(voxels, 0), {}};
+Voxels average_axes(const GridSurface& surface, const GridFrame& frame) {
+  AxisCoverage coverage{std::vector<float>(frame.voxels(), 0), {}};
   for (int axis = 0; axis < 3; ++axis) add_ray_coverage(surface, axis, coverage);
   for (float& value : coverage.sums) value /= 3.0f * full_coverage;
-  return std::move(coverage.sums);
+  return {{frame, std::move(coverage.sums)}, 0};
 }
 
 /// Columns that close decide: by their mean when they agree, a single one alone; else the median of all three.
@@ -98,51 +114,34 @@ Voxels vote_axes(const GridSurface& surface, const GridFrame& frame) {
     add_ray_coverage(surface, axis, axes[axis]);
   }
   Voxels voxels{{frame, std::vector<float>(frame.voxels())}, 0};
-  double inside = 0;
+  double inside = 0, guessed = 0;
   const auto& n = frame.size;
-  for (int z = 0; z < n[2]; ++z) {
-    for (int y = 0; y < n[1]; ++y) {
-      for (int x = 0; x < n[0]; ++x) {
-        const std::size_t i = frame.index(x, y, z);
-        const std::array<float, 3> value{axes[0].sums[i] / full_coverage, axes[1].sums[i] / full_coverage, axes[2].sums[i] / full_coverage};
-        const Vote result = vote(
-            value, {axes[0].open[y + static_cast<std::size_t>(z) * n[1]] != 0, axes[1].open[x + static_cast<std::size_t>(z) * n[0]] != 0,
-                    axes[2].open[x + static_cast<std::size_t>(y) * n[0]] != 0});
-        voxels.interior.values[i] = result.coverage;
-        inside += result.coverage;
-        if (!result.agreed) voxels.guessed += result.coverage;
-      }
-    }
+  for (std::size_t i = 0; i < frame.voxels(); ++i) {
+    const std::size_t x = i % n[0], y = i / n[0] % n[1], z = i / n[0] / n[1];
+    const std::array<bool, 3> open{axes[0].open[y + z * n[1]] != 0, axes[1].open[x + z * n[0]] != 0, axes[2].open[x + y * n[0]] != 0};
+    const Vote result = vote({axes[0].sums[i] / full_coverage, axes[1].sums[i] / full_coverage, axes[2].sums[i] / full_coverage}, open);
+    voxels.interior.values[i] = result.coverage;
+    inside += result.coverage;
+    guessed += result.agreed ? 0 : result.coverage;
   }
-  if (inside > 0) voxels.guessed /= inside;
+  if (inside > 0) voxels.guessed = guessed / inside;
   return voxels;
 }
 
 }  // namespace
 
 Voxels voxelize(const Mesh& mesh, int resolution, const std::optional<Box>& part) {
-  if (resolution < 1 || resolution > 4096)
-    throw ParamError(fmt::format("parameter 'resolution' is {}, but must be from 1 to 4096", resolution));
+  check_resolution(resolution);
   check_mesh(mesh);
   const Box whole = bounding_box(mesh);
+  const Box limits = part ? part_in_world(whole, *part) : whole;
   OrientedSurface surface = orient(mesh);
   const bool closed = surface.closed;
-  const Box limits = part ? part_in_world(whole, *part) : whole;
   const Box bounds = part ? clipped_bounding_box(mesh.vertices, surface.triangles, limits) : whole;
-  if (!(bounds.min.array() <= bounds.max.array()).all())
-    throw ShapeError("there is nothing of the shape in this part of its box; choose a larger part");
   const GridFrame frame = make_frame(bounds, resolution);
-  const GridSurface grid = to_grid(mesh, std::move(surface), frame,
-                                   part ? limits
-                                        : Box{frame.origin - Vec3::Constant(frame.spacing),
-                                              frame.world_from_voxel({frame.size[0] + 0., frame.size[1] + 0., frame.size[2] + 0.})});
-  Voxels voxels = closed ? Voxels{{frame, average_axes(grid, frame.voxels())}, 0} : vote_axes(grid, frame);
-  const bool empty = std::all_of(voxels.interior.values.begin(), voxels.interior.values.end(), [](float v) { return v <= 0; });
-  if (empty) {
-    throw ShapeError(closed
-                         ? "the shape encloses no volume; give a solid, not a flat sheet"
-                         : "the surface has holes too large to tell its inside; close it (fill the holes in a mesh editor) and try again");
-  }
+  const GridSurface grid = to_grid(mesh, std::move(surface), frame, limits);
+  Voxels voxels = closed ? average_axes(grid, frame) : vote_axes(grid, frame);
+  check_inside(voxels.interior, closed);
   return voxels;
 }
 
