@@ -15,6 +15,9 @@ std::string flag_help(const ParameterInfo& info) {
   return fmt::format("{} {}{}{}; default {}.", info.sentence, range_text(info), info.unit.empty() ? "" : " ", info.unit, value);
 }
 
+/// A forgotten shell variable must not mean "no files, please".
+std::string folder_name(const std::string& text) { return text.empty() ? "the folder has no name" : ""; }
+
 int parse_threads(const std::string& text) {
   int threads = -1;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
@@ -38,7 +41,7 @@ void add_preset_option(CLI::App& verb, ParameterOptions& options) {
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("--out", options.out, "Write all results into this folder.")->type_name("DIR");
+  verb.add_option("--out", options.out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
   verb.add_flag("--json", options.json, "Print the result as JSON instead of a table.");
   verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
   verb.add_option("--threads", options.threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");

@@ -5,7 +5,8 @@
 
 #include <iostream>
 
-int main(int, char** argv) {
+int main(int argc, char** argv) {
+  if (argc != 3) return 2;
   const homolog::Shape model = homolog::describe_shape(homolog::read_mesh(argv[1]));
   const homolog::Shape data = homolog::describe_shape(homolog::read_mesh(argv[2]));
   for (const homolog::Match& match : homolog::match_shapes(model, data).matches) {

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: MIT
-# The program as a user meets it: exit codes, messages, files. In: the program and its version. Standard library only.
+# The program as a user meets it: exit codes, messages, files. In: the program, its version, the folder of the examples' programs.
+# Standard library only.
 import csv
 import json
 import os
+import pty
 import resource
 import shlex
 import signal
@@ -13,7 +15,7 @@ import unittest
 
 import bear
 
-PROGRAM, VERSION = os.path.abspath(sys.argv[1]), sys.argv[2]
+PROGRAM, VERSION, EXAMPLES = os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3])
 VERBS = ("match", "symmetry", "points", "params")
 COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
 MATCH_FILES = {"match.json", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
@@ -74,6 +76,7 @@ class Usage(Program):
         self.expect_message(2, "'sigma0' is 'nan'", "points", "bear.off", "--sigma0", "nan")
         self.expect_message(2, "allow, forbid, only", "match", "bear.off", "bear.off", "--mirror", "maybe")
         self.expect_message(2, "preset 'papr'", "points", "bear.off", "--preset", "papr")
+        self.expect_message(2, "no name", "points", "bear.off", "--out", "")
         self.expect_message(2, "--threads is '-1'", "points", "bear.off", "--threads", "-1")
 
     def test_wrong_parts(self):
@@ -170,6 +173,27 @@ class Results(Program):
         self.assertEqual(len(points), len(self.read("out", "points.csv").splitlines()) - 1)
         self.assertEqual(len(points), len(done.stdout.splitlines()) - 2)
 
+    def drain(self, terminal):
+        """All that was shown; a terminal whose other side is closed ends with an error or with nothing."""
+        shown = b""
+        with open(terminal, "rb", buffering=0) as stream:
+            try:
+                while part := stream.read(1000):
+                    shown += part
+            except OSError:
+                pass
+        return shown.decode()
+
+    def test_progress_is_shown_on_a_terminal_and_taken_away(self):
+        for words, shown in ((), True), (("--quiet",), False):
+            terminal, slave = pty.openpty()
+            done = self.run_it("points", "bear.off", *COARSE, *words, stderr=slave)
+            os.close(slave)
+            text = self.drain(terminal)
+            self.assertEqual(done.returncode, 0)
+            self.assertEqual("describing bear.off ..." in text, shown)
+            self.assertEqual(text[-3:], "\033[K" if shown else "")
+
     def test_part_is_less_than_the_whole(self):
         def diagonal(*words):
             return json.loads(self.run_it("points", "bear.off", "--json", *COARSE, *words).stdout)["shape"]["diagonal"]
@@ -219,6 +243,12 @@ class Examples(Program):
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertNotEqual(done.stdout, "")
 
+    def test_examples_of_the_library_run(self):
+        for words in (("example_01_match", "bear.off", "bear_bis.off"), ("example_02_stages", "bear.off")):
+            done = subprocess.run([os.path.join(EXAMPLES, words[0]), *words[1:]], cwd=self.folder.name, capture_output=True, text=True, timeout=300)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            self.assertRegex(done.stdout, "match, confidence|salient points")
+
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[3:])
+    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
