@@ -94,10 +94,11 @@ Evidence weigh(const Cloth& cloth, const Body& model, double model_diagonal, con
   return evidence;
 }
 
-double confidence_of(const Evidence& evidence) {
+double merit_of(const Evidence& evidence) {
   const double both = std::sqrt(evidence.model_reached * evidence.data_near_reached);
-  const double logit = -2.7 + 4.92 * both - 5.73 * evidence.stretch + 0.117 * evidence.growth_score;
-  return 1 / (1 + std::exp(-logit));
+  return 1.5 * both - evidence.stretch + 0.015 * evidence.growth_score;
 }
+
+double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(13.7 - 12.5 * merit_of(evidence))); }
 
 }  // namespace homolog

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "homolog/base/parallel.h"
+#include "homolog/match/evidence.h"
 #include "homolog/match/refine.h"
 
 namespace homolog {
@@ -13,8 +14,8 @@ namespace {
 constexpr std::size_t least_pairs = 4;    // three are unlikely to define good matchings (Sec. 6.2)
 constexpr std::size_t guided = 12;        // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
-constexpr double near_tie = 0.1;          // confidence within which the other handedness makes a match ambiguous
-constexpr double mirror_handicap = 0.05;  // confidence by which a mirrored match must be better to come first
+constexpr double near_tie = 0.1;          // merit within which the other handedness makes a match ambiguous
+constexpr double mirror_handicap = 0.02;  // merit by which a mirrored match must be better to come first
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
@@ -28,7 +29,7 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
-double rank_value(const Refined& r) { return r.confidence - (r.cloth.chirality == Chirality::mirrored ? mirror_handicap : 0); }
+double rank_value(const Refined& r) { return merit_of(r.evidence) - (r.cloth.chirality == Chirality::mirrored ? mirror_handicap : 0); }
 
 bool better(const Refined& a, const Refined& b) {
   if (rank_value(a) != rank_value(b)) return rank_value(a) > rank_value(b);
@@ -61,7 +62,7 @@ double overlap(const Cloth& a, const Cloth& b, double tolerance) {
 // A match is ambiguous when its mirror image explains the same part of the data about as well.
 bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
   return std::any_of(all.begin(), all.end(), [&](const Refined& other) {
-    return match.cloth.chirality != other.cloth.chirality && other.confidence > match.confidence - near_tie &&
+    return match.cloth.chirality != other.cloth.chirality && merit_of(other.evidence) > merit_of(match.evidence) - near_tie &&
            overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
   });
 }

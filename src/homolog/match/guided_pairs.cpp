@@ -13,7 +13,8 @@ constexpr double descriptor_spread = 3;  // L1 distance typical of true pairs
 
 }  // namespace
 
-CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind) {
+CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind, double widening) {
+  const double farthest = widening * place_limit, most_unlike = std::sqrt(widening) * radius_limit;
   std::vector<std::pair<double, Correspondence>> options;
   for (int i = 0; i < static_cast<int>(model.points.size()); ++i) {
     const std::size_t node = model.body.point_node(i);
@@ -21,10 +22,10 @@ CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Sha
       const SalientPoint& target = data.points[j];
       const double place = (cloth.nodes[node] - target.position).norm() / target.radius;
       const double radius = std::abs(std::log(target.radius / (model.points[i].radius * cloth.scales[node])));
-      if (place > place_limit || radius > radius_limit) continue;
+      if (place > farthest || radius > most_unlike) continue;
       const double distance = descriptor_distance(model.descriptors[i], data.descriptors[j], kind);
       const double fit =
-          std::pow(place / place_limit, 2) + std::pow(radius / radius_limit, 2) + 0.5 * std::pow(distance / descriptor_spread, 2);
+          std::pow(place / farthest, 2) + std::pow(radius / most_unlike, 2) + 0.5 * std::pow(distance / descriptor_spread, 2);
       options.push_back({fit, {i, j, model.points[i], target, distance, std::exp(-0.5 * fit)}});
     }
   }

@@ -12,9 +12,9 @@ namespace {
 
 constexpr ClothSchedule first_draw{16, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
-constexpr int guided_rounds = 2;
-constexpr std::size_t data_samples = 400;  // near the mapped part
-constexpr double near_share = 0.15;        // of the mapped model's extent
+constexpr double widenings[] = {2.5, 2.5, 1};  // of the guided pairs' limits, round by round
+constexpr std::size_t data_samples = 400;      // near the mapped part
+constexpr double near_share = 0.15;            // of the mapped model's extent
 
 std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
   std::vector<Anchor> anchors;
@@ -68,8 +68,8 @@ Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data) {
 }
 
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
-  for (int round = 0; round < guided_rounds; ++round) {
-    refined.pairs = guided_pairs(refined.cloth, model, data, kind);
+  for (const double widening : widenings) {
+    refined.pairs = guided_pairs(refined.cloth, model, data, kind, widening);
     draw(refined, model, data, next_draw);
   }
   weigh_again(refined, model, data);

@@ -20,7 +20,7 @@ struct Refined {
 /// Lays the set and draws it on to the data.
 Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data);
 
-/// Two rounds of pairs guided by the cloth and of drawing with them.
+/// Rounds of pairs guided by the cloth and of drawing with them.
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
 
 /// The match with its warp; chamfer and the final handedness are left to the family.
