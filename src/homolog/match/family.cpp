@@ -62,7 +62,7 @@ double overlap(const Cloth& a, const Cloth& b, double tolerance) {
 // A match is ambiguous when its mirror image explains the same part of the data about as well.
 bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
   return std::any_of(all.begin(), all.end(), [&](const Refined& other) {
-    return match.cloth.chirality != other.cloth.chirality && merit_of(other.evidence) > merit_of(match.evidence) - near_tie &&
+    return match.cloth.chirality != other.cloth.chirality && std::abs(merit_of(other.evidence) - merit_of(match.evidence)) < near_tie &&
            overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
   });
 }

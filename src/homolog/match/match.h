@@ -40,7 +40,7 @@ struct Match {
   Similarity similarity;            ///< the similarity nearest to f_S
   Handedness handedness = Handedness::proper;
   double confidence = 0;  ///< that the match is right, 0 to 1
-  double bending = 0;     ///< Delta(f_S) without unit: energy / (scale^2 * model diagonal)
+  double bending = 0;     ///< Delta of the spline through the pairs, without unit: energy / (scale^2 * model diagonal)
   double chamfer = 0;     ///< eq. 9: mean distance of the mapped covered part to the data / data diagonal
   Evidence evidence;
   double model_coverage = 0, data_coverage = 0;  ///< share of each shape's skin that the match explains

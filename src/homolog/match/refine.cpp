@@ -40,6 +40,19 @@ ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
   return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
 }
 
+// Delta of the spline through the pairs alone, free of unit: what the paper calls bending (eq. 8).
+double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double model_diagonal) {
+  std::vector<Vec3> sources, targets;
+  for (const Correspondence& c : pairs) {
+    sources.push_back(c.model_point.position);
+    targets.push_back(c.data_point.position);
+  }
+  if (pairs.size() < 2) return 0;
+  const SourceSystem system(sources, std::vector<double>(sources.size(), 0));
+  const ThinPlateSpline spline = ThinPlateSpline::similarity_free(system, targets, chirality);
+  return spline.energy / (spline.similarity.scale * spline.similarity.scale * model_diagonal);
+}
+
 void weigh_again(Refined& refined, const Shape& model, const Shape& data) {
   const double growth_score = refined.evidence.growth_score;
   refined.evidence = weigh(refined.cloth, model.body, model.diagonal, data.surface, data.diagonal);
@@ -81,7 +94,7 @@ Match match_of(const Refined& refined, const Shape& model) {
   match.data_from_model = spline_through(refined.cloth, model.body);
   match.similarity = match.data_from_model.similarity;
   match.handedness = refined.cloth.chirality == Chirality::proper ? Handedness::proper : Handedness::mirrored;
-  match.bending = match.data_from_model.energy / (match.similarity.scale * match.similarity.scale * model.diagonal);
+  match.bending = bending_of(match.pairs, refined.cloth.chirality, model.diagonal);
   match.evidence = refined.evidence;
   match.confidence = refined.confidence;
   match.model_coverage = match.evidence.model_reached;
