@@ -6,9 +6,9 @@
 #include <cstdio>
 #include <fstream>
 
-#include "pair_list.h"
-#include "run_pairs.h"
-#include "summary.h"
+#include "generate.h"
+#include "homolog/shape/read_mesh.h"
+#include "solids.h"
 
 namespace {
 
@@ -18,13 +18,19 @@ using namespace homolog::bench;
 struct Options {
   std::string folder, filter, only, preset, rows;
   std::vector<std::string> parameters;
+  bool generate = false;
+  std::vector<std::string> meshes;
+  int strangers = 4;
   RunOptions run;
 };
 
 void add_options(CLI::App& app, Options& options) {
-  app.add_option("FOLDER", options.folder, "Folder with pairs.tsv, shapes and truth")->required();
-  app.add_option("--filter", options.filter, "Only pairs whose model or data contains this text");
-  app.add_option("--only", options.only, "Only this task")->check(CLI::IsMember({"whole", "part", "mirror"}));
+  app.add_option("FOLDER", options.folder, "Folder with pairs.tsv, shapes and truth");
+  app.add_flag("--generate", options.generate, "Instead of a folder: cases made from solids of its own and from the meshes given");
+  app.add_option("--mesh", options.meshes, "A closed mesh to generate cases from, too (repeatable)");
+  app.add_option("--strangers", options.strangers, "Shapes that share nothing, for every mesh generated from")->capture_default_str();
+  app.add_option("--filter", options.filter, "Only pairs with this text in the name of model or data");
+  app.add_option("--only", options.only, "Only this task")->check(CLI::IsMember({"whole", "part", "mirror", "scene", "unrelated"}));
   app.add_option("--threads", options.run.threads, "Pairs at a time")->check(CLI::Range(1, 64))->capture_default_str();
   app.add_option("--param", options.parameters, "NAME=VALUE, a parameter other than by default (repeatable)")->take_all();
   app.add_option("--preset", options.preset, "Start from these parameters")->check(CLI::IsMember({"paper"}));
@@ -41,13 +47,20 @@ void set_parameters(Options& options) {
   }
 }
 
-std::vector<PairEntry> chosen_pairs(const Options& options) {
-  std::vector<PairEntry> pairs = read_pairs(options.folder);
-  std::erase_if(pairs, [&](const PairEntry& pair) {
-    const bool named = pair.model.find(options.filter) != std::string::npos || pair.data.find(options.filter) != std::string::npos;
-    return !named || (!options.only.empty() && pair.task != options.only);
+std::vector<Case> all_cases(const Options& options) {
+  if (!options.generate) return cases_of(options.folder, read_pairs(options.folder));
+  std::vector<NamedMesh> meshes = example_meshes();
+  for (const std::filesystem::path path : options.meshes) meshes.push_back({path.stem().string(), read_mesh(path)});
+  return generated_cases(meshes, strangers(options.strangers), options.run.seed);
+}
+
+std::vector<Case> chosen_cases(const Options& options) {
+  std::vector<Case> cases = all_cases(options);
+  std::erase_if(cases, [&](const Case& one) {
+    const bool named = one.pair.model.find(options.filter) != std::string::npos || one.pair.data.find(options.filter) != std::string::npos;
+    return !named || (!options.only.empty() && one.pair.task != options.only);
   });
-  return pairs;
+  return cases;
 }
 
 void run(const Options& options) {
@@ -58,7 +71,7 @@ void run(const Options& options) {
     rows << row_header() << '\n';
   }
   fmt::print("{}\n", readable_header());
-  const std::vector<Result> results = run_pairs(options.folder, chosen_pairs(options), options.run, [&](const Result& result) {
+  const std::vector<Result> results = run_cases(chosen_cases(options), options.run, [&](const Result& result) {
     fmt::print("{}\n", readable_row(result));
     std::fflush(stdout);
     if (rows.is_open()) rows << row(result) << '\n' << std::flush;
@@ -74,6 +87,7 @@ int main(int argc, char** argv) {
   add_options(app, options);
   CLI11_PARSE(app, argc, argv);
   try {
+    if (options.folder.empty() != options.generate) throw ParamError("give either a FOLDER or --generate");
     set_parameters(options);
     run(options);
   } catch (const std::exception& error) {

@@ -10,10 +10,13 @@ namespace homolog::bench {
 
 /// One row of pairs.tsv. Models are named by their path in the folder, without ".off".
 struct PairEntry {
-  std::string task;  ///< whole, part or mirror
+  std::string task;  ///< whole, part or mirror; of generated cases also scene or unrelated
   std::string model, data;
   std::string truth;  ///< what the list says of the truth, in words
 };
+
+/// The task of pairs that share nothing.
+inline constexpr const char* unrelated = "unrelated";
 
 /// Reads FOLDER/pairs.tsv in its order. Throws FileError for a missing file or a row with too few columns.
 std::vector<PairEntry> read_pairs(const std::filesystem::path& folder);

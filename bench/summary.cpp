@@ -9,6 +9,8 @@
 #include <functional>
 #include <limits>
 
+#include "instances.h"
+
 namespace homolog::bench {
 namespace {
 
@@ -89,37 +91,68 @@ std::string loss_line(const Group& group) {
   return fmt::format("lost at: points {}, family {}, ranking {}; ok {}; errors {}\n", counts[0], counts[1], counts[2], counts[3], errors);
 }
 
+struct Bin {
+  int count = 0;
+  double confidence = 0, success = 0;
+};
+
+std::array<Bin, 5> calibration_bins(const Group& group) {
+  std::array<Bin, 5> bins;
+  for (const Result* r : found_of(group)) {
+    Bin& bin = bins[static_cast<std::size_t>(std::clamp(r->score.confidence * 5, 0.0, 4.0))];
+    ++bin.count;
+    bin.confidence += r->score.confidence;
+    bin.success += r->score.first.success;
+  }
+  return bins;
+}
+
+std::string calibration_line(const Group& group) {
+  std::string text = "confidence of first matches, told / right (count):";
+  for (const Bin& bin : calibration_bins(group)) {
+    if (bin.count > 0) text += fmt::format("  {:.2f} / {:.2f} ({})", bin.confidence / bin.count, bin.success / bin.count, bin.count);
+  }
+  return fmt::format("{}; error {:.3f}\n", text, calibration_error(group));
+}
+
+std::string scene_lines(const Group& all) {
+  Group scenes;
+  std::copy_if(all.begin(), all.end(), std::back_inserter(scenes), [](const Result* r) { return r->score.instances > 1; });
+  if (scenes.empty()) return "";
+  const double exact = mean_of(scenes, [](const Result& r) { return r.score.instances_claimed == r.score.instances; });
+  return fmt::format("scenes with several copies: {}; F1 of instances {:.3f}, count exact in {:.3f}\n", scenes.size(),
+                     mean_of(scenes, [](const Result& r) { return instance_f1(r.score); }), exact);
+}
+
+std::string unrelated_line(const Group& group) {
+  const auto claimed = std::ranges::count_if(group, [](const Result* r) { return r->score.instances_claimed > 0; });
+  return group.empty() ? ""
+                       : fmt::format("pairs that share nothing: {}; claimed with confidence of .5 or more: {}\n", group.size(), claimed);
+}
+
 }  // namespace
 
 double calibration_error(const std::vector<const Result*>& results) {
-  struct Bin {
-    double confidence = 0, success = 0;
-  };
-  std::array<Bin, 5> bins;
-  const Group found = found_of(results);
-  for (const Result* r : found) {
-    Bin& bin = bins[static_cast<std::size_t>(std::clamp(r->score.confidence * 5, 0.0, 4.0))];
-    bin.confidence += r->score.confidence;
-    bin.success += r->score.success;
-  }
-  double error = 0;
-  for (const Bin& bin : bins) error += std::abs(bin.confidence - bin.success);
-  return found.empty() ? 0 : error / static_cast<double>(found.size());
+  double error = 0, count = 0;
+  for (const Bin& bin : calibration_bins(results)) error += std::abs(bin.confidence - bin.success), count += bin.count;
+  return count > 0 ? error / count : 0;
 }
 
 std::string summary(const std::vector<Result>& results) {
-  Group all;
+  Group all, sharing_nothing, judged;
   for (const Result& r : results) {
-    if (r.judged) all.push_back(&r);
+    if (!r.judged) continue;
+    judged.push_back(&r);
+    (r.pair.task == unrelated ? sharing_nothing : all).push_back(&r);
   }
   std::string text =
       fmt::format("{:<22} {:>5} {:>5} {:>7} {:>6} {:>6} {:>6} {:>6} {:>9} {:>9} {:>6} {:>6} {:>6} {:>6}\n", "", "pairs", "found", "success",
                   "in six", "direct", "share", "right", "transfer", "mean", "<=.05", "<=.10", "calib", "CPU s");
   text += lines_by(all, [](const Result& r) { return r.pair.task; });
   text += lines_by(all, [](const Result& r) { return set_of(r.pair); });
-  text += line("all", all);
-  text += loss_line(all) + handedness_line(all);
-  const std::size_t unjudged = results.size() - all.size();
+  text += line("all", all) + loss_line(all) + handedness_line(all) + calibration_line(judged) + scene_lines(all) +
+          unrelated_line(sharing_nothing);
+  const std::size_t unjudged = results.size() - judged.size();
   return unjudged > 0 ? text + fmt::format("without truth: {}\n", unjudged) : text;
 }
 

@@ -163,7 +163,7 @@ TEST(Score, CalibrationErrorIsTheGapBetweenConfidenceAndSuccess) {
   for (std::size_t i = 0; i < 4; ++i) {
     results[i].score.found = true;
     results[i].score.confidence = 0.9;
-    results[i].score.success = i > 0;
+    results[i].score.first.success = i > 0;
   }
   std::vector<const Result*> group;
   for (const Result& r : results) group.push_back(&r);

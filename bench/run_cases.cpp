@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "run_pairs.h"
+#include "run_cases.h"
 
 #include <fmt/format.h>
 
 #include <atomic>
+#include <memory>
 #include <mutex>
 #include <thread>
 
 #include "homolog/shape/read_mesh.h"
+#include "instances.h"
 #include "read_truth.h"
 #include "shapes.h"
 
@@ -27,19 +29,24 @@ Truth turned_truth(TruePoints points, const Similarity& turn) {
   return make_truth(points);
 }
 
-Result run_pair(const std::filesystem::path& folder, const PairEntry& pair, const Params& params, Shapes& shapes, TruthReader& truths) {
+PairScore score(const Case& one, const Family& family, const DescribedShape& model, const DescribedShape& data) {
+  std::vector<Truth> truths;
+  for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), data.turn));
+  if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);
+  return score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
+}
+
+Result run_case(const Case& one, const Params& params, Shapes& shapes) {
   Result result;
-  result.pair = pair;
-  const auto model = shapes.get(pair.model, false, [&] { return read_mesh(folder / (pair.model + ".off")); });
-  const auto data = shapes.get(pair.data, true, [&] { return read_mesh(folder / (pair.data + ".off")); });
+  result.pair = one.pair;
+  const auto model = shapes.get(one.model.name, false, one.model.read);
+  const auto data = shapes.get(one.data.name, true, one.data.read);
   const double start = thread_seconds();
   const Family family = match_shapes(model->shape, data->shape, params);
   result.cpu_seconds = model->cpu_seconds + data->cpu_seconds + thread_seconds() - start;
   result.counts = counts_text(family.counts);
-  const auto points = truths.read(pair, model->mesh, data->mesh);
-  result.judged = points.has_value();
-  if (!points) return result;
-  result.score = score_family(family, model->shape.points, data->shape.points, turned_truth(*points, data->turn), data->diagonal);
+  result.score = score(one, family, *model, *data);
+  result.judged = one.pair.task == unrelated || result.score.instances > 0;
   return result;
 }
 
@@ -66,23 +73,35 @@ class InOrder {
 
 }  // namespace
 
-std::vector<Result> run_pairs(const std::filesystem::path& folder, const std::vector<PairEntry>& pairs, const RunOptions& options,
-                              const std::function<void(const Result&)>& report) {
+std::vector<Case> cases_of(const std::filesystem::path& folder, const std::vector<PairEntry>& pairs) {
+  const auto truths = std::make_shared<TruthReader>(folder);
+  const auto source = [&](const std::string& name) { return ShapeSource{name, [=] { return read_mesh(folder / (name + ".off")); }}; };
+  std::vector<Case> cases;
+  for (const PairEntry& pair : pairs) {
+    const auto read = [=](const Mesh& model, const Mesh& data) {
+      const auto points = truths->read(pair, model, data);
+      return points ? std::vector{*points} : std::vector<TruePoints>{};
+    };
+    cases.push_back({pair, source(pair.model), source(pair.data), read});
+  }
+  return cases;
+}
+
+std::vector<Result> run_cases(const std::vector<Case>& cases, const RunOptions& options, const std::function<void(const Result&)>& report) {
   Params params = options.params;
   params.threads = 1;
   Shapes shapes(params, options.seed);
-  for (const PairEntry& pair : pairs) shapes.expect(pair.model, false), shapes.expect(pair.data, true);
-  TruthReader truths(folder);
-  std::vector<Result> results(pairs.size());
+  for (const Case& one : cases) shapes.expect(one.model.name, false), shapes.expect(one.data.name, true);
+  std::vector<Result> results(cases.size());
   InOrder in_order(results, report);
   std::atomic<std::size_t> next = 0;
   const auto work = [&] {
-    for (std::size_t i = next++; i < pairs.size(); i = next++) {
+    for (std::size_t i = next++; i < cases.size(); i = next++) {
       Result result;
       try {
-        result = run_pair(folder, pairs[i], params, shapes, truths);
+        result = run_case(cases[i], params, shapes);
       } catch (const std::exception& error) {
-        result.pair = pairs[i];
+        result.pair = cases[i].pair;
         result.score.error = error.what();
       }
       in_order.put(i, std::move(result));
