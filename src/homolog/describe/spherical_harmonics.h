@@ -29,8 +29,8 @@ class SphereGrid {
  private:
   int degree_, latitudes_, longitudes_;
   std::vector<Vec3> directions_;
-  std::vector<double> legendre_;                  ///< weight * normalised P_lm, latitude by latitude
-  std::vector<std::complex<double>> longitude_;   ///< exp(-i m phi), longitude by longitude
+  std::vector<double> legendre_;                 ///< weight * normalised P_lm, latitude by latitude
+  std::vector<std::complex<double>> longitude_;  ///< exp(-i m phi), longitude by longitude
 };
 
 }  // namespace homolog
