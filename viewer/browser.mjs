@@ -24,7 +24,9 @@ function findChromium() {
 export function openBrowser() {
   return chromium.launch({
     executablePath: findChromium(),
-    args: ['--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic',
-      '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    timeout: 120000,
+    // On a busy machine software drawing is slow enough to be taken for a hang.
+    args: ['--disable-gpu-watchdog', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
+      '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   });
 }

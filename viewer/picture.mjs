@@ -10,7 +10,8 @@ if (!picture) {
 }
 const [width, height] = size.split('x').map(Number);
 const browser = await openBrowser();
-const page = await browser.newPage({ viewport: { width, height } });
+const page = await browser.newPage({ viewport: { width, height }, reducedMotion: 'reduce' });
+page.setDefaultTimeout(120000);
 await page.goto(pathToFileURL(resolve(process.env.INIT_CWD ?? '.', report)).href);
 await page.waitForTimeout(1000);
 await page.screenshot({ path: resolve(process.env.INIT_CWD ?? '.', picture) });

@@ -53,7 +53,8 @@ Shape make_shape(const std::string& name, const Animal& animal) {
 
 /// Pairs point i with point partner(i) for the points from `first` to `last`.
 template <class Partner>
-Match make_match(const Animal& model, const Animal& data, int first, int last, Partner partner, Handedness handedness) {
+Match make_match(const Animal& model, const Animal& data, int first, int last, Partner partner, Handedness handedness,
+                 Kernel kernel = Kernel::r) {
   Match match;
   std::vector<Vec3> sources, targets;
   for (int i = first; i <= last; ++i) {
@@ -64,8 +65,9 @@ Match make_match(const Animal& model, const Animal& data, int first, int last, P
   }
   const Chirality chirality = handedness == Handedness::mirrored ? Chirality::mirrored : Chirality::proper;
   const std::vector<double> exact(sources.size(), 0.0);
-  match.data_from_model = ThinPlateSpline::similarity_free(SourceSystem(sources, exact), targets, chirality);
-  match.similarity = match.data_from_model.similarity;
+  const ThinPlateSpline spline = ThinPlateSpline::similarity_free(SourceSystem(sources, exact), targets, chirality);
+  match.data_from_model = kernel == Kernel::r ? spline : ThinPlateSpline::affine_free(sources, targets);
+  match.similarity = spline.similarity;
   match.handedness = handedness;
   match.confidence = 0.97 - 0.1 * first;
   match.bending = 0.02;
@@ -79,7 +81,7 @@ Family make_family(const Animal& model, const Animal& data) {
   const auto other_side = [](int i) { return i < 7 ? i : i + ((i - 7) % 4 < 2 ? 2 : -2); };
   Family family;
   family.matches = {make_match(model, data, 0, 14, same, Handedness::proper),
-                    make_match(model, data, 0, 14, other_side, Handedness::mirrored),
+                    make_match(model, data, 0, 14, other_side, Handedness::mirrored, Kernel::r3),
                     make_match(model, data, 1, 4, same, Handedness::ambiguous)};
   family.counts.stages = {{"candidates", 225}, {"seeds", 40}, {"grown", 3}};
   return family;

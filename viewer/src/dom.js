@@ -15,6 +15,7 @@ export const percent = (share) => `${Math.round(100 * share)}\u2009%`;
 
 /// A number with about four digits.
 export function short(value) {
+  if (!Number.isFinite(value)) return '\u2013';
   if (value === 0) return '0';
   const size = Math.abs(value);
   return size >= 1e5 || size < 1e-3 ? value.toExponential(2) : String(Number(value.toPrecision(4)));

@@ -1,5 +1,5 @@
 // The lines between matched points, drawn across the panes on a flat canvas over the picture.
-import { confidenceColour, css } from './colours.js';
+import { valueColour, css } from './colours.js';
 
 /// A curve that leaves both ends along the line between the panes, so that crossing lines stay apart near the balls.
 function controls({ from, to }, stacked) {
@@ -41,10 +41,10 @@ export function drawLines(context, lines, marked, stacked) {
   const order = [...lines].sort((a, b) => (a.pair === marked.chosen) - (b.pair === marked.chosen) || a.confidence - b.confidence);
   for (const line of order) {
     const strong = line.pair === marked.chosen || line.pair === marked.hovered;
-    const colour = confidenceColour(line.confidence);
+    const colour = valueColour(line.confidence);
     stroke(context, line, stacked, strong ? 6 : 3.2, 'rgb(255 255 255 / 0.65)');
     stroke(context, line, stacked, strong ? 3 : 1.5, css(colour, strong ? 1 : faded));
-    for (const end of [line.from, line.to]) dot(context, end, strong ? 4 : 2.2, css(colour));
+    for (const end of [line.from, line.to]) dot(context, end, strong ? 4.5 : 2.8, css(colour));
   }
 }
 

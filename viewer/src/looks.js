@@ -16,12 +16,12 @@ function fill(count, colourOf) {
 
 const paint = (weights, colour) => fill(weights.length, (i) => mix(surfaceColour, colour, weights[i]));
 
-/// The model's position colours pulled to the data through the warp, as far as the part reaches.
-function pullColours(colours, warped, data, weights) {
-  const from = nearest(warped, data.positions, 0.06 * data.radius);
-  return fill(weights.length, (i) => {
-    const source = 3 * from[i];
-    return from[i] < 0 ? surfaceColour : mix(surfaceColour, colours.subarray(source, source + 3), weights[i]);
+/// The model's position colours pulled to the data, as far as the warped model comes to lie on it.
+function pullColours(colours, warped, data) {
+  const { index, share } = nearest(warped, data.positions, 0.08 * data.radius);
+  return fill(index.length, (i) => {
+    const source = 3 * index[i];
+    return index[i] < 0 ? surfaceColour : mix(surfaceColour, colours.subarray(source, source + 3), share[i]);
   });
 }
 
@@ -40,7 +40,7 @@ export class Looks {
     const [model, data] = this.report.shapes;
     const travel = (positions) => journey(match, positions, model.mesh.centre, data.mesh.centre);
     const look = {
-      turn: turnOf(match.data_from_model),
+      turn: turnOf(match.data_from_model, model.mesh.positions),
       weights: [
         partWeights(model.mesh.positions, match.pairs.map((pair) => model.points[pair.model])),
         partWeights(data.mesh.positions, match.pairs.map((pair) => data.points[pair.data])),
@@ -64,7 +64,7 @@ export class Looks {
     if (colouring === 'part') return weights.map((w) => paint(w, partColour));
     const [model, data] = this.report.shapes;
     const colours = positionColours(model.mesh.positions);
-    return [colours, pullColours(colours, surface.warped, data.mesh, weights[1])];
+    return [colours, pullColours(colours, surface.warped, data.mesh)];
   }
 }
 

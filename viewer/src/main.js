@@ -5,7 +5,7 @@ import { Looks } from './looks.js';
 import { fillPanel, refreshPanel } from './panel.js';
 import { readReport } from './report.js';
 import { Stage } from './stage.js';
-import { fillFooter, fillToolbar, refreshControls } from './toolbar.js';
+import { fillButtons, fillFooter, fillToolbar, fittingOpacity, refreshControls } from './toolbar.js';
 
 const byId = (id) => document.getElementById(id);
 const report = readReport(byId('report').textContent);
@@ -13,7 +13,7 @@ const state = {
   match: report.matches.length ? 0 : -1, pair: -1, ball: null, hovered: -1,
   share: 0, playing: false, overlay: true, least: 0,
   points: true, others: true, lines: true, linked: true, aligned: true,
-  colouring: 'part', opacity: 0.4, ballScale: 1,
+  colouring: 'part', opacity: fittingOpacity.part, ballScale: 1,
 };
 
 const app = { report, state, set, chooseMatch, choosePair, chooseBall, play, save, reset: () => app.stage?.resetViews() };
@@ -39,20 +39,22 @@ function chooseBall(ball) {
   set({ ball, pair: -1 });
 }
 
-/// The slider moves by itself: model, data, and back.
+let frame;
+
+/// The slider moves by itself, to the data or back.
 function play() {
-  set({ playing: !state.playing });
+  const [goal, speed] = state.share < 1 ? [1, 1 / 1800] : [0, -1 / 1800];
   let before;
-  const forward = state.share < 1;
   const step = (now) => {
     if (!state.playing) return;
-    const share = state.share + ((forward ? 1 : -1) * (now - (before ?? now))) / 1800;
+    const share = Math.min(1, Math.max(0, state.share + speed * (now - (before ?? now))));
     before = now;
-    const done = share >= 1 || share <= 0;
-    set({ share: Math.min(1, Math.max(0, share)), playing: !(done && before !== undefined && (forward ? share >= 1 : share <= 0)) });
-    requestAnimationFrame(step);
+    set({ share, playing: share !== goal });
+    frame = requestAnimationFrame(step);
   };
-  if (state.playing) requestAnimationFrame(step);
+  cancelAnimationFrame(frame);
+  set({ playing: !state.playing });
+  frame = requestAnimationFrame(step);
 }
 
 async function save() {
@@ -92,6 +94,7 @@ function drawnNote({ indices, triangles }) {
 
 function start() {
   writeTitle();
+  fillButtons(byId('buttons'), app);
   fillToolbar(byId('toolbar'), app);
   fillFooter(byId('footer'), app);
   fillPanel(byId('panel'), app);

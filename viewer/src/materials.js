@@ -21,7 +21,7 @@ const lighting = /* glsl */ `
   uniform float opacity;
   vec3 lit(vec3 colour, vec3 n, vec3 eye, float shine) {
     vec3 light = normalize(vec3(0.35, 0.75, 0.6));
-    float diffuse = 0.62 + 0.38 * dot(n, light);
+    float diffuse = 0.72 + 0.28 * dot(n, light);
     float spark = pow(max(0.0, dot(n, normalize(light + eye))), 50.0);
     return colour * diffuse + shine * spark;
   }`;

@@ -8,6 +8,12 @@ import { ballMaterial, surfaceMaterial } from './materials.js';
 const ballGeometry = new SphereGeometry(1, 32, 20);
 const fieldOfView = 26;
 
+/// Clearing needs leave to write depth, which the ball drawn before may have taken away.
+function clearDepth(renderer) {
+  renderer.state.buffers.depth.setMask(true);
+  renderer.clearDepth();
+}
+
 /// A surface as glass over everything drawn before: depth first, then the colour of the layer nearest to the viewer.
 export class Surface {
   constructor({ positions, indices }, order) {
@@ -22,7 +28,7 @@ export class Surface {
     const colour = new Mesh(this.geometry, this.material);
     depth.renderOrder = order;
     colour.renderOrder = order + 1;
-    depth.onBeforeRender = (renderer) => renderer.clearDepth();
+    depth.onBeforeRender = clearDepth;
     this.group = new Group().add(depth, colour);
     for (const mesh of [depth, colour]) mesh.frustumCulled = false;
   }

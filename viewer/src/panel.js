@@ -1,5 +1,5 @@
 // The column beside the picture: the family of matches, the numbers of what was clicked, the pairs, and how they were found.
-import { confidenceColour, css } from './colours.js';
+import { valueColour, css } from './colours.js';
 import { make, percent, place, short } from './dom.js';
 
 const handednessNote = {
@@ -8,7 +8,7 @@ const handednessNote = {
 
 function meter(confidence) {
   return make('span', { class: 'meter', title: `confidence ${short(confidence)}` },
-    make('span', { style: `width: ${100 * confidence}%; background: ${css(confidenceColour(confidence))}` }));
+    make('span', { style: `width: ${100 * confidence}%; background: ${css(valueColour(confidence))}` }));
 }
 
 function matchEntry(match, index, app) {
@@ -17,9 +17,9 @@ function matchEntry(match, index, app) {
     make('span', { class: 'rank' }, String(index + 1)),
     make('span', { class: 'facts' },
       make('span', { class: 'first' }, make('b', {}, `${match.pairs.length} pairs`), meter(match.confidence), percent(match.confidence)),
-      make('span', { class: 'second' },
+      make('span', { class: 'second', title: 'handedness, scale, and the shares of model and data that the match explains' },
         make('span', { class: `hand ${match.handedness}`, title: handednessNote[match.handedness] ?? '' }, match.handedness),
-        ` scale ${short(match.scale)} \u00b7 covers ${percent(match.model_coverage)} of model, ${percent(match.data_coverage)} of data`)));
+        ` \u00d7${match.scale.toPrecision(3)} \u00b7 covers ${Math.round(100 * match.model_coverage)} / ${percent(match.data_coverage)}`)));
 }
 
 function familyList(app) {
@@ -38,7 +38,7 @@ function pairRows(app, match) {
     const choose = make('button', { type: 'button', onclick: () => app.choosePair(index) }, String(index + 1));
     const cells = [choose, pair.model, pair.data, short(pair.descriptor_distance), pair.confidence.toFixed(2)];
     const row = make('tr', { 'data-pair': String(index), onclick: () => app.choosePair(index) }, cells.map((cell) => make('td', {}, cell)));
-    row.lastChild.style.color = css(confidenceColour(pair.confidence));
+    row.lastChild.style.color = css(valueColour(pair.confidence));
     return row;
   });
 }
@@ -90,6 +90,7 @@ function matchNumbers({ report, state }) {
     ['confidence', short(match.confidence)],
     ['handedness', `${match.handedness}${handednessNote[match.handedness] ? `: ${handednessNote[match.handedness]}` : ''}`],
     ['scale', short(match.scale)],
+    ['covers', `${percent(match.model_coverage)} of the model, ${percent(match.data_coverage)} of the data`],
     ['bending', short(match.bending)],
     ['chamfer', short(match.chamfer)],
   ]), make('p', { class: 'hint' }, 'Click a ball, a line or a row below to read its numbers.')];
@@ -111,10 +112,10 @@ function nothingFound() {
       'which stage the last candidate was given up.'));
 }
 
-function howFound({ counts, parameters, program }) {
+function howFound({ counts, parameters, program, shapes, matches }) {
   const list = (object) => numbers(Object.entries(object).map(([name, value]) => [name, String(value)]));
   const stages = Object.keys(counts).length ? [make('h3', {}, 'Left after each stage'), list(counts)] : [];
-  return make('details', { open: false, id: 'how' }, make('summary', {}, 'How it was found'), ...stages, make('h3', {}, 'Parameters'),
+  return make('details', { open: shapes.length > 1 && !matches.length, id: 'how' }, make('summary', {}, 'How it was found'), ...stages, make('h3', {}, 'Parameters'),
     list(parameters), make('p', { class: 'hint' }, program));
 }
 
@@ -139,10 +140,17 @@ function refreshRows(content, title) {
   document.getElementById('rows').replaceChildren(make('h2', {}, title), content);
 }
 
+/// Scrolls the panel alone: on a phone the page must stay at the picture.
+function bringIntoView(row, panel) {
+  const [inner, outer] = [row.getBoundingClientRect(), panel.getBoundingClientRect()];
+  if (inner.bottom > outer.bottom) panel.scrollTop += inner.bottom - outer.bottom + 10;
+  if (inner.top < outer.top) panel.scrollTop -= outer.top - inner.top + 10;
+}
+
 function markRow({ pair, ball }) {
   for (const row of document.querySelectorAll('#rows tbody tr')) {
     const chosen = row.dataset.pair ? Number(row.dataset.pair) === pair : Number(row.dataset.point) === ball?.index;
     row.classList.toggle('chosen', chosen);
-    if (chosen) row.scrollIntoView({ block: 'nearest' });
+    if (chosen) bringIntoView(row, document.getElementById('panel'));
   }
 }

@@ -3,15 +3,21 @@
 const near = 1.4;  // radii up to which a vertex fully belongs to a matched point
 const far = 2.6;   // radii from which it does not
 
+/// 1 up to `full`, 0 from `none`, smooth between.
+function fade(distance, full, none) {
+  const s = Math.min(1, Math.max(0, (none - distance) / (none - full)));
+  return s * s * (3 - 2 * s);
+}
+
 /// For every vertex 0 to 1: how near it is to the balls of the given points.
 export function partWeights(positions, points) {
   const weights = new Float32Array(positions.length / 3);
   for (const { place, radius } of points) {
     for (let i = 0; i < weights.length; ++i) {
-      const d = Math.hypot(positions[3 * i] - place[0], positions[3 * i + 1] - place[1], positions[3 * i + 2] - place[2]) / radius;
-      if (d >= far) continue;
-      const s = Math.min(1, (far - d) / (far - near));
-      weights[i] = Math.max(weights[i], s * s * (3 - 2 * s));
+      const dx = positions[3 * i] - place[0];
+      const dy = positions[3 * i + 1] - place[1];
+      const dz = positions[3 * i + 2] - place[2];
+      weights[i] = Math.max(weights[i], fade(Math.sqrt(dx * dx + dy * dy + dz * dz) / radius, near, far));
     }
   }
   return weights;
@@ -28,9 +34,10 @@ export function positionColours(positions) {
   return positions.map((x, i) => 0.2 + 0.72 * ((x - min[i % 3]) / (max[i % 3] - min[i % 3] || 1)));
 }
 
-/// For every query point the index of the nearest of `positions`, by a grid of cells; -1 when none is within `reach`.
+/// For every query point the nearest of `positions` within `reach`, found by a grid of cells, and a share that fades with its distance.
 export function nearest(positions, queries, reach) {
-  const key = (i, j, k) => `${i},${j},${k}`;
+  // Cells that collide under one key do no harm: distances decide.
+  const key = (i, j, k) => (i * 73856093) ^ (j * 19349663) ^ (k * 83492791);
   const cell = (x) => Math.floor(x / reach);
   const cells = new Map();
   for (let i = 0; i < positions.length; i += 3) {
@@ -39,17 +46,19 @@ export function nearest(positions, queries, reach) {
     if (list) list.push(i);
     else cells.set(name, [i]);
   }
-  const found = new Int32Array(queries.length / 3).fill(-1);
-  for (let q = 0; q < found.length; ++q) {
+  const index = new Int32Array(queries.length / 3).fill(-1);
+  const share = new Float32Array(index.length);
+  for (let q = 0; q < index.length; ++q) {
     const [x, y, z] = queries.subarray(3 * q, 3 * q + 3);
     let best = reach * reach;
     for (let n = 0; n < 27; ++n) {
       const list = cells.get(key(cell(x) + (n % 3) - 1, cell(y) + (Math.floor(n / 3) % 3) - 1, cell(z) + Math.floor(n / 9) - 1));
       for (const i of list ?? []) {
         const d = (positions[i] - x) ** 2 + (positions[i + 1] - y) ** 2 + (positions[i + 2] - z) ** 2;
-        if (d < best) [best, found[q]] = [d, i / 3];
+        if (d < best) [best, index[q]] = [d, i / 3];
       }
     }
+    share[q] = fade(Math.sqrt(best), reach / 2, reach);
   }
-  return found;
+  return { index, share };
 }

@@ -1,6 +1,6 @@
 // The picture: both panes on one canvas, the lines on a second one over it.
 import { ColorManagement, LinearSRGBColorSpace, Quaternion, WebGLRenderer } from 'three';
-import { confidenceColour, idleColour } from './colours.js';
+import { idleColour, valueColour } from './colours.js';
 import { drawLines, drawRing, pickLine } from './lines.js';
 import { confidentPairs, plainColours } from './looks.js';
 import { firstTurn } from './orientation.js';
@@ -20,7 +20,7 @@ export class Stage {
     this.renderer.autoClear = false;
     this.panes = report.shapes.map((shape) => new Pane(shape));
     if (this.panes[1]) this.panes[1].layOver(report.shapes[0].mesh);
-    this.start = firstTurn(report.shapes.at(-1).mesh.positions);
+    this.start = firstTurn(report.shapes.at(-1).mesh.positions, report.matches.length ? looks.of(0).turn.clone().invert() : undefined);
     this.views = this.panes.map(() => makeView(this.start));
     this.turn = new Quaternion();
     this.goal = new Quaternion();
@@ -79,13 +79,15 @@ export class Stage {
     panes.forEach((pane, side) => {
       const places = pane.shape.points.flatMap((point) => point.place);
       pane.places = look && side === 0 ? between(Float32Array.from(places), look.balls.home, state.share) : places;
-      const confidence = new Map(pairs.map((pair) => [side ? pair.data : pair.model, pair.confidence]));
+      const values = look
+        ? new Map(pairs.map((pair) => [side ? pair.data : pair.model, pair.confidence]))
+        : new Map([...pane.shape.points.entries()].map(([i, { response }]) => [i, response]).filter(([, value]) => value >= state.least));
       pane.shape.points.forEach((_, i) => {
-        const paired = confidence.has(i);
+        const solid = values.has(i);
         pane.placeBall(i, {
-          shown: paired ? state.points : state.points && state.others,
-          colour: paired ? confidenceColour(confidence.get(i)) : idleColour,
-          solid: paired,
+          shown: state.points && (solid || (look && state.others)),
+          colour: solid ? valueColour(values.get(i)) : idleColour,
+          solid,
           scale: state.ballScale,
         });
       });

@@ -1,5 +1,5 @@
 // Switches over the picture, and the warp and confidence sliders below it.
-import { confidenceGradient } from './colours.js';
+import { valueGradient } from './colours.js';
 import { make, percent } from './dom.js';
 
 function toggle(state, set, name, label, key) {
@@ -7,8 +7,11 @@ function toggle(state, set, name, label, key) {
   return make('label', { class: 'chip', title: key ? `Key ${key}` : '' }, input, make('span', {}, label));
 }
 
+/// Colours that tell a place need a denser surface than the glass in which the balls lie.
+export const fittingOpacity = { part: 0.3, position: 0.9, plain: 0.3 };
+
 function choice(state, set, name, label, options) {
-  const select = make('select', { id: `show-${name}`, onchange: () => set({ [name]: select.value }) },
+  const select = make('select', { id: `show-${name}`, onchange: () => set({ [name]: select.value, opacity: fittingOpacity[select.value] }) },
     Object.entries(options).map(([value, text]) => make('option', { value, selected: state[name] === value }, text)));
   return make('label', { class: 'choice' }, label, select);
 }
@@ -26,29 +29,38 @@ export function fillToolbar(element, app) {
   const matched = report.matches.length > 0;
   element.append(
     toggle(state, set, 'points', 'Points', 'p'),
-    ...(matched ? [toggle(state, set, 'others', 'Unmatched too', 'u'), toggle(state, set, 'lines', 'Lines', 'l')] : []),
-    ...(pairwise ? [toggle(state, set, 'linked', 'Link cameras', 'k')] : []),
+    ...(matched ? [toggle(state, set, 'others', 'Unmatched', 'u'), toggle(state, set, 'lines', 'Lines', 'l')] : []),
+    ...(pairwise ? [toggle(state, set, 'linked', 'Linked', 'k')] : []),
     ...(matched ? [toggle(state, set, 'aligned', 'Face alike', 'f')] : []),
-    ...(matched ? [choice(state, set, 'colouring', 'Colour', { part: 'matched part', position: 'model position', plain: 'none' })] : []),
+    ...(matched ? [choice(state, set, 'colouring', 'Colour', { part: 'part', position: 'position', plain: 'none' })] : []),
     slider(state, set, 'opacity', 'Surface'),
-    slider(state, set, 'ballScale', 'Ball size'),
-    make('span', { class: 'buttons' },
-      make('button', { type: 'button', title: 'Key 0', onclick: app.reset }, 'Reset view'),
-      make('button', { type: 'button', onclick: app.save }, 'Save picture')));
+    slider(state, set, 'ballScale', 'Ball size'));
+}
+
+export function fillButtons(element, app) {
+  element.append(
+    make('button', { type: 'button', title: 'Key 0', onclick: app.reset }, 'Reset view'),
+    make('button', { type: 'button', onclick: app.save }, 'Save picture'));
 }
 
 export function fillFooter(element, app) {
+  if (app.report.matches.length) element.append(warpControls(app), legend(app, 'Confidence'));
+  else element.append(legend(app, 'Response (a ball: 1, a cylinder: 0.79)'));
+}
+
+function legend({ state, set }, title) {
+  return make('div', { class: 'legend' },
+    make('span', {}, title),
+    make('div', { class: 'scale' }, make('div', { class: 'ramp', style: `background: ${valueGradient}` }),
+      slider(state, set, 'least', '', { 'aria-label': 'Least value shown' }),
+      make('div', { class: 'ends' }, make('span', {}, '0'), make('output', { id: 'least' }), make('span', {}, '1'))));
+}
+
+function warpControls(app) {
   const { state, set } = app;
-  if (!app.report.matches.length) return;
   const play = make('button', { type: 'button', id: 'play', title: 'Space', onclick: app.play }, '\u25b6');
-  element.append(
-    make('div', { class: 'warp' }, play, slider(state, set, 'share', 'Warp model into data'), make('output', { id: 'share' }),
-      toggle(state, set, 'overlay', 'Lay over data', 'o')),
-    make('div', { class: 'legend' },
-      make('span', {}, 'Confidence'),
-      make('div', { class: 'scale' }, make('div', { class: 'ramp', style: `background: ${confidenceGradient}` }),
-        slider(state, set, 'least', '', { 'aria-label': 'Least confidence shown' }),
-        make('div', { class: 'ends' }, make('span', {}, '0'), make('output', { id: 'least' }), make('span', {}, '1')))));
+  return make('div', { class: 'warp' }, play, slider(state, set, 'share', 'Warp model into data'), make('output', { id: 'share' }),
+    toggle(state, set, 'overlay', 'Lay over data', 'o'));
 }
 
 /// Brings the controls in line with the state when keys or playing changed it.
@@ -57,10 +69,11 @@ export function refreshControls(state) {
     const input = document.getElementById(`show-${name}`);
     if (input) input.checked = state[name];
   }
+  document.getElementById('set-opacity').value = state.opacity;
+  document.getElementById('least').textContent = state.least > 0 ? `shown from ${state.least.toFixed(2)}` : 'all shown';
   const share = document.getElementById('set-share');
   if (!share) return;
   share.value = state.share;
   document.getElementById('share').textContent = percent(state.share);
   document.getElementById('play').textContent = state.playing ? '\u275a\u275a' : '\u25b6';
-  document.getElementById('least').textContent = state.least > 0 ? `shown from ${state.least.toFixed(2)}` : 'all pairs shown';
 }

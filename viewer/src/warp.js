@@ -8,7 +8,7 @@ function warpFunction({ kernel, centres, weights, affine }) {
   return (x, y, z) => {
     const out = affine.map((row) => row[0] * x + row[1] * y + row[2] * z + row[3]);
     for (let k = 0; k < c.length; k += 3) {
-      const r = Math.hypot(x - c[k], y - c[k + 1], z - c[k + 2]);
+      const r = Math.sqrt((x - c[k]) ** 2 + (y - c[k + 1]) ** 2 + (z - c[k + 2]) ** 2);
       const phi = cubic ? r * r * r : r;
       out[0] += w[k] * phi;
       out[1] += w[k + 1] * phi;

@@ -1,0 +1,51 @@
+// The page's own arithmetic on the data of a real page: node warp_test.mjs FOLDER
+import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
+import { join } from 'node:path';
+import test from 'node:test';
+import { nearest, partWeights } from '../../viewer/src/part.js';
+import { readReport } from '../../viewer/src/report.js';
+import { between, journey } from '../../viewer/src/warp.js';
+
+const page = readFileSync(join(process.argv[2], 'match.html'), 'utf8');
+const report = readReport(page.match(/<script type="application\/json" id="report">([^]*?)<\/script>/)[1]);
+const [model, data] = report.shapes;
+const distance = (a, b) => Math.hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+
+for (const [index, match] of report.matches.entries()) {
+  test(`match ${index + 1} (kernel ${match.warp.kernel}): the warp carries model points onto their partners`, () => {
+    const places = Float32Array.from(match.pairs.flatMap((pair) => model.points[pair.model].place));
+    const { aligned, warped, home } = journey(match, places, model.mesh.centre, data.mesh.centre);
+    match.pairs.forEach((pair, i) => {
+      const goal = data.points[pair.data].place;
+      assert.ok(distance(warped.subarray(3 * i, 3 * i + 3), goal) < 1e-4 * data.mesh.radius);
+      assert.ok(distance(aligned.subarray(3 * i, 3 * i + 3), goal) < 0.35 * data.mesh.radius);
+    });
+    const again = journey(match, home, model.mesh.centre, data.mesh.centre).aligned;
+    assert.ok(again.every((x, i) => Math.abs(x - warped[i]) < 1e-4 * data.mesh.radius), 'home is warped seen from the model');
+  });
+}
+
+test('positions are read relative to the centre of the box', () => {
+  assert.ok(data.mesh.centre[0] > 900, 'the fixture lies far out');
+  assert.ok(data.mesh.positions.every((x) => Math.abs(x) <= data.mesh.radius));
+  assert.ok(data.points.every(({ place }) => Math.hypot(...place) < data.mesh.radius));
+  assert.ok(data.mesh.indices.every((i) => 3 * i < data.mesh.positions.length));
+});
+
+test('between leads from the start to the end', () => {
+  assert.deepEqual([...between(new Float32Array([0, 2]), new Float32Array([4, 2]), 0.25)], [1, 2]);
+});
+
+test('a vertex belongs to the part as far as it is near a matched ball', () => {
+  const weights = partWeights(new Float32Array([0, 0, 1, 0, 0, 4, 0, 0, 100]), [{ place: [0, 0, 0], radius: 2 }]);
+  assert.equal(weights[0], 1);
+  assert.ok(weights[1] > 0 && weights[1] < 1);
+  assert.equal(weights[2], 0);
+});
+
+test('the nearest point is found across cells, and none out of reach', () => {
+  const { index, share } = nearest(new Float32Array([0, 0, 0, 0.9, 0, 0]), new Float32Array([1.1, 0, 0, -0.1, -0.1, 0, 5, 5, 5]), 1);
+  assert.deepEqual([...index], [1, 0, -1]);
+  assert.deepEqual([...share], [1, 1, 0]);
+});
