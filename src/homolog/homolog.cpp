@@ -18,7 +18,7 @@ namespace {
 
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
-constexpr std::size_t sets_of_a_chirality = 10;
+constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t starts_of_a_chirality = 4;
 
 // Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.

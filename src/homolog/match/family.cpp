@@ -12,7 +12,8 @@ namespace homolog {
 namespace {
 
 constexpr std::size_t least_pairs = 4;    // three are unlikely to define good matchings (Sec. 6.2)
-constexpr std::size_t guided = 12;        // so many of the drawn sets are worth guiding
+constexpr std::size_t least_grown = 3;    // but guiding may find them their fourth
+constexpr std::size_t guided = 16;        // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double near_tie = 0.1;          // merit within which the other handedness makes a match ambiguous
 constexpr double mirror_handicap = 0.02;  // merit by which a mirrored match must be better to come first
@@ -98,7 +99,7 @@ std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most
   std::vector<GrownSet> distinct;
   for (GrownSet& set : sets) {
     if (distinct.size() == most) break;
-    if (set.pairs.size() < least_pairs) continue;
+    if (set.pairs.size() < least_grown) continue;
     const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const GrownSet& other) {
       return other.chirality == set.chirality && 2 * shared_pairs(set.pairs, other.pairs) > set.pairs.size();
     });

@@ -15,7 +15,7 @@ constexpr double ratio_spread = 0.2;  // their typical disagreement when right
 constexpr double radius_spread = 0.3;
 constexpr double descriptor_spread = 3;  // L1 distance typical of true pairs
 constexpr double angle_spread = 0.6;     // radians
-constexpr std::size_t seed_count = 150;
+constexpr std::size_t seed_count = 300;
 constexpr int uses_of_a_candidate = 6;
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
