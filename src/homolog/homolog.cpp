@@ -2,6 +2,7 @@
 #include "homolog/homolog.h"
 
 #include "homolog/base/parallel.h"
+#include "homolog/describe/cut_faces.h"
 #include "homolog/match/axis_starts.h"
 #include "homolog/match/candidates.h"
 #include "homolog/match/clique_growth.h"
@@ -82,10 +83,16 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   shape.guessed = voxels.guessed;
   const auto& frame = shape.interior.frame;
   shape.diagonal = frame.spacing * Vec3(frame.size[0] - 2, frame.size[1] - 2, frame.size[2] - 2).norm();
-  shape.points = find_salient_points(shape.interior, params.salient);                        // Sec. 4.3
+  shape.points = find_salient_points(shape.interior, params.salient);  // Sec. 4.3
+  shape.surface = sample_surface(shape.interior, surface_samples);
+  if (part) {
+    const Box whole = bounding_box(mesh);
+    const Vec3 extent = whole.max - whole.min;
+    const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
+    forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
+  }
   find_directions(shape.interior, params.salient, shape.points);                             // eq. 2, 3
   shape.descriptors = compute_descriptors(shape.interior, shape.points, params.descriptor);  // Sec. 5.2
-  shape.surface = sample_surface(shape.interior, surface_samples);
   shape.body = build_body(shape.interior, shape.surface, body_samples, shape.points);
   shape.inner_distance = inner_distances(shape.body, shape.interior);
   return shape;
