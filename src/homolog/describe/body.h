@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A light graph of a solid: surface samples and salient points, joined where the way between them runs inside.
-// Limbs that touch or stand close are not joined; opposite sides of one limb are. Distances along it do not change when a body bends.
+// Limbs that touch or stand close are not joined; opposite sides of a thin one are. Distances along it do not change when a body bends.
 #pragma once
 
 #include <Eigen/Core>

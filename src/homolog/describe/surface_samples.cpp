@@ -2,6 +2,7 @@
 #include "homolog/describe/surface_samples.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 #include <limits>
 
@@ -39,14 +40,20 @@ std::vector<Vec3> surface_voxels(const Interior& interior) {
   return chosen;
 }
 
-// The gradient over two voxels, and the place on it where coverage falls to one half.
+// Gradient of the coverage blurred by one voxel: differences along the axes alone saturate and lean towards the grid's diagonals.
+Vec3 blurred_gradient(const Interior& interior, const Vec3& voxel_centre) {
+  Vec3 gradient = Vec3::Zero();
+  for (int n = 0; n < 125; ++n) {
+    const Vec3 offset(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
+    gradient += std::exp(-0.5 * offset.squaredNorm()) * sample(interior, voxel_centre + interior.frame.spacing * offset) * offset;
+  }
+  return gradient;
+}
+
+// The gradient, and the place on it where coverage falls to one half.
 SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
   const double h = interior.frame.spacing;
-  Vec3 gradient;
-  for (int a = 0; a < 3; ++a) {
-    const Vec3 step = 1.5 * h * Vec3::Unit(a);
-    gradient[a] = sample(interior, voxel_centre + step) - sample(interior, voxel_centre - step);
-  }
+  const Vec3 gradient = blurred_gradient(interior, voxel_centre);
   if (gradient.norm() < 1e-3) return {voxel_centre, Vec3::Zero()};
   const Vec3 normal = -gradient.normalized();
   Vec3 place = voxel_centre;
