@@ -16,7 +16,7 @@ constexpr std::size_t least_grown = 3;    // but guiding may find them their fou
 constexpr std::size_t guided = 16;        // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double near_tie = 0.1;          // merit within which the other handedness makes a match ambiguous
-constexpr double mirror_handicap = 0.02;  // merit by which a mirrored match must be better to come first
+constexpr double mirror_handicap = 0.06;  // merit by which a mirrored match must be better to come first
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {

@@ -8,7 +8,7 @@
 namespace homolog {
 namespace {
 
-constexpr double cost_limit = 2.5;       // of a joining correspondence; about two standard deviations in all
+constexpr double cost_limit = 4;         // of a joining correspondence; about two standard deviations in all
 constexpr double place_nugget = 0.3;     // r: how well a salient point is localised
 constexpr double direction_nugget = 1;   // r
 constexpr double radius_spread = 0.2;    // of log r

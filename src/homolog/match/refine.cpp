@@ -10,7 +10,7 @@
 namespace homolog {
 namespace {
 
-constexpr ClothSchedule first_draw{8, 0.06, 0.015, 2, 0.2};
+constexpr ClothSchedule first_draw{12, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr double widenings[] = {2.5, 2.5, 1};  // of the guided pairs' limits, round by round
 constexpr std::size_t data_samples = 400;      // near the mapped part
