@@ -12,6 +12,7 @@ namespace {
 
 constexpr int kCorrectionSteps = 64;  // each way
 constexpr int kMostMoves = 4;         // to a neighbouring voxel
+constexpr double kBeside = 0.5;       // r: where a ridge is compared with its top
 
 // The response around a voxel to second order.
 struct Quadratic {
@@ -69,14 +70,14 @@ Stack stack_at(const Octave& octave, int level, const std::array<int, 3>& voxel)
            quadratic_at(octave.levels[level + 1], voxel)}};
 }
 
-// Newton's step to the maximum, at most one cell. Along a direction in which the response hardly bends (a ridge) it stays where it is.
-Vec3 step_to_top(const Quadratic& q) {
+// Newton's step to the maximum, at most one cell. Along a direction that bends less than this share of the strongest it stays where it is.
+Vec3 step_to_top(const Quadratic& q, double least_bend) {
   const Eigen::SelfAdjointEigenSolver<Mat3> eigen(q.hessian);
   const double strongest = -eigen.eigenvalues()[0];
   Vec3 step = Vec3::Zero();
   for (int a = 0; a < 3; ++a) {
     const double bend = -eigen.eigenvalues()[a];
-    if (bend <= 1e-3 * strongest) continue;
+    if (bend <= least_bend * strongest) continue;
     step += eigen.eigenvectors().col(a) * (eigen.eigenvectors().col(a).dot(q.gradient) / bend);
   }
   return step / std::max(1.0, step.cwiseAbs().maxCoeff());
@@ -84,6 +85,40 @@ Vec3 step_to_top(const Quadratic& q) {
 
 bool inside_margin(const GridFrame& frame, const std::array<int, 3>& v) {
   return frame.contains(v[0] - 1, v[1] - 1, v[2] - 1) && frame.contains(v[0] + 1, v[1] + 1, v[2] + 1);
+}
+
+Vec3 vector_of(const std::array<int, 3>& v) { return {double(v[0]), double(v[1]), double(v[2])}; }
+std::array<int, 3> nearest_voxel(const Vec3& x) {
+  return {static_cast<int>(std::lround(x[0])), static_cast<int>(std::lround(x[1])), static_cast<int>(std::lround(x[2]))};
+}
+
+// The response on the ridge near x: climbs across `along`, not along it, and to the best scale.
+double ridge_height(const Octave& octave, int level, double scale_offset, Vec3 x, const Vec3& along) {
+  double height = 0;
+  for (int move = 0; move < kMostMoves; ++move) {
+    const std::array<int, 3> voxel = nearest_voxel(x);
+    if (!inside_margin(octave.levels[0].frame, voxel)) break;
+    const Stack stack = stack_at(octave, level, voxel);
+    const Vec3 d = x - vector_of(voxel);
+    Quadratic q = stack.at(scale_offset);
+    q.gradient += q.hessian * d;
+    Vec3 step = step_to_top(q, 0.05);
+    step -= along * along.dot(step);
+    height = stack.scale_top(d + step).value;
+    x += step;
+    if (step.norm() < 0.05) break;
+  }
+  return height;
+}
+
+// The share by which the response falls within kBeside r along the direction in which it bends second to least, the lesser of both ways.
+double sheet_fall(const Octave& octave, int level, const Mat3& hessian, const Vec3& x, const Top& top, double radius) {
+  const Vec3 along = Eigen::SelfAdjointEigenSolver<Mat3>(hessian).eigenvectors().col(1);
+  double higher = 0;
+  for (const double way : {-kBeside, kBeside}) {
+    higher = std::max(higher, ridge_height(octave, level, top.offset, x + way * radius * along, along));
+  }
+  return 1 - higher / top.value;
 }
 
 }  // namespace
@@ -105,27 +140,29 @@ double ScaleCorrection::operator()(double parabola_offset) const {
   return (static_cast<double>(above - parabola_offsets_.begin()) - 1 + share) / kCorrectionSteps - 1;
 }
 
-SalientPoint refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction) {
+RefinedPeak refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction) {
   std::array<int, 3> voxel = peak.voxel;
   Stack stack = stack_at(octave, peak.level, voxel);
   Top top{0, stack.levels[1].value};
   Vec3 d = Vec3::Zero();
   for (int move = 0; move < kMostMoves; ++move) {
-    d = step_to_top(stack.at(top.offset));
+    d = step_to_top(stack.at(top.offset), 1e-3);
     top = stack.scale_top(d);
     if (d.cwiseAbs().maxCoeff() <= 0.6) continue;  // same voxel: the next round only settles place and scale together
-    std::array<int, 3> next = voxel;
-    for (int a = 0; a < 3; ++a) next[a] += static_cast<int>(std::lround(d[a]));
+    const std::array<int, 3> next = nearest_voxel(vector_of(voxel) + d);
     if (!inside_margin(octave.levels[0].frame, next)) break;
     voxel = next;
     stack = stack_at(octave, peak.level, voxel);
     d.setZero();
   }
-  SalientPoint point;
-  point.position = octave.levels[0].frame.world_from_voxel(Vec3(voxel[0], voxel[1], voxel[2]) + d);
-  point.radius = radius_factor(k) * octave.sigmas[peak.level] * std::pow(k, correction(top.offset));
-  point.response = top.value;
-  return point;
+  const GridFrame& frame = octave.levels[0].frame;
+  const Vec3 x = vector_of(voxel) + d;
+  RefinedPeak refined;
+  refined.point.position = frame.world_from_voxel(x);
+  refined.point.radius = radius_factor(k) * octave.sigmas[peak.level] * std::pow(k, correction(top.offset));
+  refined.point.response = top.value;
+  refined.sheet_fall = sheet_fall(octave, peak.level, stack.at(top.offset).hessian, x, top, refined.point.radius / frame.spacing);
+  return refined;
 }
 
 }  // namespace homolog

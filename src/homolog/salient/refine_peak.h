@@ -29,7 +29,15 @@ class ScaleCorrection {
   std::vector<double> parabola_offsets_;  // of true offsets from -1 to 1 in even steps
 };
 
-/// Position, radius and response of the peak. `k` is the factor between levels.
-SalientPoint refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction);
+/// A salient point without direction, and the share by which its response falls within r / 2 along the direction in which it bends second
+/// to least: about 0 over an even plate, where the place of a peak is an accident of the grid. Along a limb one direction is even, too:
+/// that is allowed.
+struct RefinedPeak {
+  SalientPoint point;
+  double sheet_fall;
+};
+
+/// `k` is the factor between levels.
+RefinedPeak refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction);
 
 }  // namespace homolog

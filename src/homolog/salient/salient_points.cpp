@@ -18,6 +18,10 @@ namespace {
 constexpr float kVoxelShare = 0.8f;
 // Next to the octave below or above both octaves may keep a peak that lies between them; duplicates are merged afterwards.
 constexpr float kBorderShare = 0.99f;
+// Over the middle of an even plate peaks among voxels are where the grid comes nearest to it: hundreds, and others after every turn. A
+// point of the shape falls by more than this share within r / 2 in at least two directions. Asking it in all three leaves .88 instead of
+// .78 of the points repeatable under rotation, but takes the points along limbs, a quarter of the right pairs, and gains no match.
+constexpr double kLeastSheetFall = 0.003;
 
 // Whether the voxel exceeds its 26 neighbours on its own level. Of equals the one with the lowest index wins, so that a symmetric shape
 // centred between voxels is not lost.
@@ -115,10 +119,11 @@ std::vector<SalientPoint> find_salient_points(const Interior& interior, const Sa
   std::vector<SalientPoint> points;
   for_each_octave(interior, params, [&](const Octave& octave) {
     const std::vector<Peak> peaks = find_peaks(octave, params.threshold);
-    std::vector<SalientPoint> refined(peaks.size());
+    std::vector<RefinedPeak> refined(peaks.size());
     parallel_for(peaks.size(), [&](std::size_t n) { refined[n] = refine_peak(octave, peaks[n], k, correction); });
-    std::copy_if(refined.begin(), refined.end(), std::back_inserter(points),
-                 [&](const SalientPoint& p) { return p.response >= params.threshold; });
+    for (const RefinedPeak& peak : refined) {
+      if (peak.sheet_fall > kLeastSheetFall && peak.point.response >= params.threshold) points.push_back(peak.point);
+    }
   });
   std::sort(points.begin(), points.end(), larger);
   return without_duplicates(points);

@@ -53,28 +53,29 @@ Volume<float> resampled(const Volume<float>& source, const VoxelBox& box, int st
   }
   frame.spacing = step * source.frame.spacing;
   frame.origin = source.frame.world_from_voxel(Vec3(first[0], first[1], first[2]));
+  std::array<std::array<int, 2>, 3> known{};  // range of result voxels that the source covers
+  for (int axis = 0; axis < 3; ++axis) {
+    const int below = std::max(0, -first[axis]), last = source.frame.size[axis] - 1 - first[axis];
+    known[axis] = {(below + step - 1) / step, std::min(frame.size[axis], last / step + 1)};
+  }
   result.values.assign(frame.voxels(), 0);
-  parallel_for(static_cast<std::size_t>(frame.size[2]), [&](std::size_t slice) {
-    const int k = static_cast<int>(slice);
-    for (int j = 0; j < frame.size[1]; ++j) {
-      for (int i = 0; i < frame.size[0]; ++i) {
-        const int x = first[0] + step * i, y = first[1] + step * j, z = first[2] + step * k;
-        if (source.frame.contains(x, y, z)) result.at(i, j, k) = source.at(x, y, z);
-      }
+  parallel_for(static_cast<std::size_t>(known[2][1] - known[2][0]), [&](std::size_t slice) {
+    const int k = known[2][0] + static_cast<int>(slice);
+    for (int j = known[1][0]; j < known[1][1]; ++j) {
+      const float* row = source.values.data() + source.frame.index(0, first[1] + step * j, first[2] + step * k);
+      for (int i = known[0][0]; i < known[0][1]; ++i) result.at(i, j, k) = row[first[0] + step * i];
     }
   });
   return result;
 }
 
-// factor * (fine - coarse), Sec. 4.3 with the divisor ln k instead of k.
-Volume<float> difference(const Volume<float>& fine, const Volume<float>& coarse, double factor) {
-  Volume<float> level{fine.frame, std::vector<float>(fine.values.size())};
+// fine becomes factor * (fine - coarse), Sec. 4.3 with the divisor ln k instead of k.
+void subtract(const Volume<float>& coarse, double factor, Volume<float>& fine) {
   const std::size_t slice = static_cast<std::size_t>(fine.frame.size[0]) * fine.frame.size[1];
   parallel_for(static_cast<std::size_t>(fine.frame.size[2]), [&](std::size_t k) {
     const auto f = static_cast<float>(factor);
-    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) level.values[v] = f * (fine.values[v] - coarse.values[v]);
+    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) fine.values[v] = f * (fine.values[v] - coarse.values[v]);
   });
-  return level;
 }
 
 }  // namespace
@@ -107,7 +108,8 @@ void for_each_octave(const Interior& interior, const SalientParams& params, cons
       const double sigma = sigma0 * std::pow(k, i);
       if (i == levels) next_octave = resampled(gaussian, box, 2, margin);
       Volume<float> blurred = gaussian_blur(gaussian, sigma * std::sqrt(k * k - 1));
-      octave.levels.push_back(difference(gaussian, blurred, -1 / (std::log(k) * ball_response(k))));
+      subtract(blurred, -1 / (std::log(k) * ball_response(k)), gaussian);
+      octave.levels.push_back(std::move(gaussian));
       octave.sigmas.push_back(sigma * std::sqrt(k) * frame.spacing);
       gaussian = std::move(blurred);
     }
