@@ -1,5 +1,5 @@
 # Installs the build into a fresh folder, then configures, builds and starts a ten-line program that knows nothing but that folder.
-# In: BUILD, SOURCE, WORK, VERSION, COMPILER.
+# In: BUILD, SOURCE, WORK, VERSION, COMPILER, GENERATOR (a bare machine has no make).
 function(run)
   execute_process(COMMAND ${ARGV} RESULT_VARIABLE code OUTPUT_VARIABLE output ERROR_VARIABLE output)
   if(NOT code EQUAL 0)
@@ -10,7 +10,7 @@ endfunction()
 file(REMOVE_RECURSE ${WORK})
 run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${WORK}/prefix)
 run(${WORK}/prefix/bin/homolog --version)
-run(${CMAKE_COMMAND} -S ${SOURCE}/consumer -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DHOMOLOG_VERSION=${VERSION}
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE}/consumer -B ${WORK}/build -DCMAKE_PREFIX_PATH=${WORK}/prefix -DHOMOLOG_VERSION=${VERSION}
     -DCMAKE_CXX_COMPILER=${COMPILER})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 execute_process(COMMAND ${WORK}/build/consumer RESULT_VARIABLE code)
