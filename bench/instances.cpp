@@ -15,12 +15,18 @@ struct Hit {
   bool swapped;
 };
 
+// What tolerances and errors are shares of: the data, or the copy's own size where there are several.
+double diagonal_of(const std::vector<Truth>& truths, std::size_t i, double data_diagonal) {
+  const TrueMap& map = truths[i].direct;
+  return truths.size() > 1 ? map.whole.scale * map.model_extent : data_diagonal;
+}
+
 // The instance for which the match is right, if any; with several, the one with most right pairs.
 std::optional<Hit> hit_of(const Match& match, const std::vector<Truth>& truths, double data_diagonal) {
   std::optional<Hit> hit;
   int most = 0;
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    const MatchScore score = score_match(match, truths[i], data_diagonal);
+    const MatchScore score = score_match(match, truths[i], diagonal_of(truths, i, data_diagonal));
     if (!score.success || score.right <= most) continue;
     most = score.right;
     hit = Hit{i, score.swapped};
@@ -50,7 +56,7 @@ PairScore score_instances(const Family& family, const Points& model, const Point
   PairScore best;
   int first_right = 0;
   for (std::size_t i = 0; i < truths.size(); ++i) {
-    PairScore score = score_family(family, model, data, truths[i], data_diagonal);
+    PairScore score = score_family(family, model, data, truths[i], diagonal_of(truths, i, data_diagonal));
     if (score.first_right > 0 && (first_right == 0 || score.first_right < first_right)) first_right = score.first_right;
     if (i == 0 || merit(score) > merit(best)) best = std::move(score);
   }

@@ -11,6 +11,7 @@ namespace homolog::bench {
 
 /// The score under the truth that the family meets best, and how many of the instances it finds. A claimed match that is right for an
 /// instance found before is a false claim, unless it is the other of its two left-right answers; that one counts for nothing.
+/// With several truths the diagonal that tolerances are shares of is that of the instance, not of all data.
 PairScore score_instances(const Family& family, const Points& model, const Points& data, const std::vector<Truth>& truths,
                           double data_diagonal);
 

@@ -39,9 +39,9 @@ struct PairScore {
   Handedness handedness = Handedness::proper;
   bool handedness_right = false;  ///< proper or mirrored as the truth that the first match meets is
   int model_points = 0, data_points = 0, matches = 0;
-  int findable = 0;        ///< model points with a true partner among the data points
-  int findable_found = 0;  ///< of these, rightly paired by the first match
-  int first_right = 0;     ///< rank of the first right match in the family, from 1; 0: none
+  int findable = 0;                                               ///< model points with a true partner among the data points
+  int findable_found = 0;                                         ///< of these, rightly paired by the first match
+  int first_right = 0;                                            ///< rank of the first right match in the family, from 1; 0: none
   int instances = 0, instances_claimed = 0, instances_right = 0;  ///< see instances.h
   Stage lost = Stage::points;                                     ///< where the right answer was lost
 };

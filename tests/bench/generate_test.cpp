@@ -137,6 +137,9 @@ TEST(Instances, MissedRepeatedAndWrongOnesLowerF1) {
   Match wrong = both.matches[0];
   for (auto& pair : wrong.pairs) pair.data_point.position += Vec3(diagonal, 0, 0);
   EXPECT_NEAR(f1({{both.matches[0], both.matches[1], wrong}, {}}), 0.8, 1e-12);
+  Match near = both.matches[0];  // 10 % of the copy off, which is less than 5 % of the scene
+  for (auto& pair : near.pairs) pair.data_point.position += Vec3(0.1 * bounding_box(shape).diagonal(), 0, 0);
+  EXPECT_EQ(f1({{near}, {}}), 0);
 }
 
 TEST(Unrelated, AClaimIsAFailure) {
