@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Evidence tells a right map from flipped, shrunk and torn ones, which the paper's one-sided distance cannot.
+#include "homolog/match/evidence.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/shapes.h"
+
+namespace homolog {
+namespace {
+
+const Shape& hand() {
+  static const Shape shape = fixtures::described(fixtures::hand());
+  return shape;
+}
+
+Cloth laid(const Similarity& map) {
+  ThinPlateSpline spline;
+  spline.similarity = map;
+  spline.affine << map.scale * map.rotation, map.shift;
+  return lay_cloth(hand().body, spline, map.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper);
+}
+
+Evidence weigh_on_itself(const Cloth& cloth) { return weigh(cloth, hand().body, hand().diagonal, hand().surface, hand().diagonal); }
+
+Mat3 half_turn() { return Eigen::AngleAxisd(M_PI, Vec3::UnitY()).toRotationMatrix(); }
+
+TEST(Evidence, TheIdentityReachesAllWithoutStretch) {
+  const Evidence evidence = weigh_on_itself(laid({}));
+  EXPECT_EQ(evidence.model_reached, 1);
+  EXPECT_GT(evidence.data_reached, 0.95);  // four times as many samples there; few stand on edges with other normals
+  EXPECT_EQ(evidence.data_near_reached, evidence.data_reached);
+  EXPECT_NEAR(evidence.stretch, 0, 1e-12);
+}
+
+TEST(Evidence, FlippedAndShrunkMapsReachLess) {
+  const Evidence right = weigh_on_itself(laid({}));
+  const Evidence flipped = weigh_on_itself(laid({1, half_turn(), Vec3::Zero()}));
+  EXPECT_LT(flipped.model_reached, 0.7);
+  EXPECT_LT(flipped.data_reached, 0.7);
+  const Evidence shrunk = weigh_on_itself(laid({0.5, Mat3::Identity(), Vec3::Zero()}));
+  EXPECT_LT(shrunk.data_reached, 0.3);  // the covered skin is a quarter at most
+  EXPECT_NEAR(shrunk.stretch, 0, 1e-12);
+  EXPECT_LT(merit_of(flipped), merit_of(right) - 0.5);
+  EXPECT_LT(merit_of(shrunk), merit_of(right) - 0.5);
+}
+
+TEST(Evidence, InsideOutIsNotReached) {
+  Cloth cloth = laid({});
+  for (Mat3& rotation : cloth.rotations) rotation = -rotation;
+  EXPECT_LT(weigh_on_itself(cloth).model_reached, 0.01);
+}
+
+TEST(Evidence, StretchIsTheSpreadOfLogarithmsOfLengths) {
+  Cloth cloth = laid({});
+  for (Vec3& node : cloth.nodes) node.y() *= 2;
+  const double stretch = weigh_on_itself(cloth).stretch;
+  EXPECT_GT(stretch, 0.5 * std::log(2));
+  EXPECT_LT(stretch, std::log(2) + 1e-12);
+}
+
+TEST(Evidence, APartIsJudgedByTheDataNearIt) {
+  std::vector<SurfaceSample> with_stranger = hand().surface;
+  for (const SurfaceSample& s : hand().surface) with_stranger.push_back({s.position + Vec3(5, 0, 0), s.normal});
+  const Evidence alone = weigh_on_itself(laid({}));
+  const Evidence evidence = weigh(laid({}), hand().body, hand().diagonal, with_stranger, 5);
+  EXPECT_NEAR(evidence.data_reached, 0.5 * alone.data_reached, 1e-9);
+  EXPECT_NEAR(evidence.data_near_reached, alone.data_near_reached, 1e-9);
+}
+
+TEST(Evidence, MeritAndConfidenceRiseTogether) {
+  const Evidence middling{0.7, 0.7, 0.7, 0.2, 5};
+  Evidence better_reach = middling, less_stretch = middling, more_pairs = middling;
+  better_reach.data_near_reached = 0.8;
+  less_stretch.stretch = 0.1;
+  more_pairs.growth_score = 8;
+  for (const Evidence& better : {better_reach, less_stretch, more_pairs}) {
+    EXPECT_GT(merit_of(better), merit_of(middling));
+    EXPECT_GT(confidence_of(better), confidence_of(middling));
+  }
+  EXPECT_GT(confidence_of({1, 1, 1, 0, 10}), 0.9);
+  EXPECT_LT(confidence_of({}), 0.01);
+}
+
+TEST(Evidence, NothingReachesNothing) {
+  const Evidence evidence = weigh(laid({}), hand().body, hand().diagonal, {}, 1);
+  EXPECT_EQ(evidence.model_reached, 0);
+  EXPECT_EQ(evidence.data_reached, 0);
+}
+
+}  // namespace
+}  // namespace homolog

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+// Sec. 6: the family without duplicates, best first, and which hand a match has.
+#include "homolog/match/family.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "fixtures/shapes.h"
+#include "homolog/match/evidence.h"
+
+namespace homolog {
+namespace {
+
+using namespace fixtures;
+
+// A start without pairs, exact but for the cloth's own work.
+GrownSet start(const homolog::Similarity& map) {
+  GrownSet set;
+  set.chirality = map.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper;
+  set.spline.similarity = map;
+  set.spline.affine << map.scale * map.rotation, map.shift;
+  return set;
+}
+
+GrownSet set_of(std::initializer_list<std::pair<int, int>> pairs, double score, Chirality chirality = Chirality::proper) {
+  GrownSet set;
+  set.score = score;
+  set.chirality = chirality;
+  for (const auto& [model, data] : pairs) set.pairs.push_back({model, data, {}, {}, 0, 0});
+  return set;
+}
+
+const Shape& beast() {
+  static const Shape shape = described(quadruped());
+  return shape;
+}
+
+const Mat3 mirror_y = Vec3(1, -1, 1).asDiagonal();
+
+TEST(DistinctSets, ShareAtMostHalfTheirPairsWithABetterOne) {
+  const auto better = set_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, 5), alike = set_of({{0, 0}, {1, 1}, {2, 2}, {4, 4}}, 4);
+  const auto half = set_of({{0, 0}, {1, 1}, {5, 5}, {6, 6}}, 3),
+             mirrored = set_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, 2, Chirality::mirrored);
+  const auto two = set_of({{7, 7}, {8, 8}}, 9);  // a similarity takes three
+  const std::vector<GrownSet> distinct = distinct_sets({mirrored, half, alike, better, two}, 10);
+  ASSERT_EQ(distinct.size(), 3u);
+  EXPECT_EQ(distinct[0].score, 5);
+  EXPECT_EQ(distinct[1].score, 3);
+  EXPECT_EQ(distinct[2].score, 2);
+  EXPECT_EQ(distinct_sets({mirrored, half, alike, better}, 1).size(), 1u);
+}
+
+TEST(Family, DuplicatesByMapAreOneMatch) {
+  const std::vector<GrownSet> sets(3, start({}));
+  EXPECT_EQ(make_family(sets, beast(), beast(), coarse(), false).size(), 1u);
+}
+
+TEST(Family, AMirrorSymmetricBodyIsAmbiguous) {
+  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), false);
+  ASSERT_EQ(both.size(), 2u);
+  for (const Match& match : both) EXPECT_EQ(match.handedness, Handedness::ambiguous);
+  EXPECT_GT(both[0].similarity.rotation.determinant(), 0);  // of equals the proper one comes first
+}
+
+TEST(Family, MirrorParameterLeavesOneChirality) {
+  const std::vector<GrownSet> sets = {start({}), start({1, mirror_y, Vec3::Zero()})};
+  for (const Mirror mirror : {Mirror::forbid, Mirror::only}) {
+    Params params = coarse();
+    params.match.mirror = mirror;
+    const std::vector<Match> matches = make_family(sets, beast(), beast(), params, false);
+    ASSERT_EQ(matches.size(), 1u);
+    EXPECT_EQ(matches[0].similarity.rotation.determinant() < 0, mirror == Mirror::only);
+  }
+}
+
+TEST(Family, TheIdentityIsLeftOutOnRequest) {
+  const std::vector<Match> matches = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), true);
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_LT(matches[0].similarity.rotation.determinant(), 0);
+}
+
+TEST(Family, BestFirstOneToOneAndNoLongerThanAsked) {
+  const Mat3 turn = Eigen::AngleAxisd(M_PI, Vec3::UnitZ()).toRotationMatrix();
+  const std::vector<GrownSet> sets = {start({1, turn, Vec3::Zero()}), start({})};
+  const std::vector<Match> matches = make_family(sets, beast(), beast(), coarse(), false);
+  ASSERT_FALSE(matches.empty());
+  EXPECT_LT((matches[0].data_from_model(Vec3(1, 0, 0.5)) - Vec3(1, 0, 0.5)).norm(), 0.1);  // the head on the head
+  std::set<int> model, data;
+  for (const Correspondence& c : matches[0].pairs) EXPECT_TRUE(model.insert(c.model).second && data.insert(c.data).second);
+  Params params = coarse();
+  params.match.matches = 1;
+  EXPECT_EQ(make_family(sets, beast(), beast(), params, false).size(), 1u);
+}
+
+TEST(Family, NoSetsNoFamily) { EXPECT_TRUE(make_family({}, beast(), beast(), coarse(), false).empty()); }
+
+TEST(Handedness, HasAWordForEach) {
+  EXPECT_STREQ(handedness_name(Handedness::proper), "proper");
+  EXPECT_STREQ(handedness_name(Handedness::mirrored), "mirrored");
+  EXPECT_STREQ(handedness_name(Handedness::ambiguous), "ambiguous");
+}
+
+}  // namespace
+}  // namespace homolog
