@@ -27,7 +27,7 @@ Vec3 free_place(const std::vector<Placed>& taken, double radius, Random& random)
 }
 
 // Puts a mesh into the scene: the ball around its box free of all others.
-void put(Scene& scene, Mesh mesh, double scale, std::vector<Placed>& taken, Random& random) {
+void put(Scene& scene, const Mesh& mesh, double scale, std::vector<Placed>& taken, Random& random) {
   const Box box = bounding_box(mesh);
   const Vec3 middle = (box.min + box.max) / 2;
   double radius = 0;
@@ -53,7 +53,7 @@ Scene make_scene(const Mesh& shape, const std::vector<Mesh>& clutter, const Scen
     if (options.bend_degrees > 0 && i > 0) copy = bent(copy, options.bend_degrees);
     scene.copies.push_back({scene.mesh.vertices.size(), mirror});
     const double exponent = options.copies > 1 ? 2.0 * i / (options.copies - 1) - 1 : 0;
-    put(scene, std::move(copy), std::pow(options.largest_ratio, exponent), taken, random);
+    put(scene, copy, std::pow(options.largest_ratio, exponent), taken, random);
   }
   for (const Mesh& thing : clutter) put(scene, thing, 0.6 * size / bounding_box(thing).diagonal(), taken, random);
   return scene;

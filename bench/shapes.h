@@ -30,7 +30,7 @@ double thread_seconds();
 class Shapes {
  public:
   /// `seed` turns the shapes asked for with `turned`; 0 turns none.
-  Shapes(Params params, std::uint64_t seed) : params_(std::move(params)), seed_(seed) {}
+  Shapes(Params params, std::uint64_t seed) : params_(params), seed_(seed) {}
 
   /// One more pair of the run will ask for this shape.
   void expect(const std::string& name, bool turned);

@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# Installs, builds and runs all tests, then the checks of scripts/check.sh; ends with a line per step.
-#   scripts/test.sh             the release build: unit, command line, report in a browser, installed package
-#   scripts/test.sh --sanitize  the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer besides
+# Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
+#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package
+#   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-sanitize=no
+all=no
 case "${1:-}" in
   "") ;;
-  --sanitize) sanitize=yes ;;
-  *) echo "test: unknown option '$1'; the only one is --sanitize." >&2; exit 2 ;;
+  --all) all=yes ;;
+  *) echo "test: unknown option '$1'; the only one is --all." >&2; exit 2 ;;
 esac
 
 summary=() failed=no
@@ -40,6 +40,10 @@ export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 step install scripts/install_dependencies.sh || finish
 step build configure_and_build release || finish
 step tests ctest --preset release || true
-if [[ $sanitize == yes ]]; then step sanitize sanitized_unit_tests || true; fi
-step checks scripts/check.sh || true
+if [[ $all == yes ]]; then
+  step sanitize sanitized_unit_tests || true
+  step checks scripts/check.sh || true
+else
+  step checks scripts/check.sh --quick || true
+fi
 finish

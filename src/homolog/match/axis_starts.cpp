@@ -82,7 +82,7 @@ Similarity umeyama(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, dou
 }
 
 // Closest points both ways and the best similarity, in turn.
-Settled settle(Similarity start, const Skin& model, const Skin& data, double diagonal, double sign) {
+Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, double sign) {
   Settled settled{start};
   std::vector<int> of_model, of_data;
   for (int step = 0; step <= settle_steps; ++step) {

@@ -50,7 +50,7 @@ class MaximalSearch {
   // R: the clique so far; P: vertices that may join it; X: vertices that would, but whose cliques are known.
   void expand(Bits P, Bits X) {
     const int may_join = count(P);
-    if (!spend(2 * graph_.words()) || !worthwhile(R_.size() + may_join)) return;
+    if (!spend(2L * graph_.words()) || !worthwhile(R_.size() + may_join)) return;
     if (may_join == 0) {
       if (count(X) == 0) keep();
       return;

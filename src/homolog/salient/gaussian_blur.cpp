@@ -93,7 +93,7 @@ struct Sheet {
 void blur_slice(const Volume<float>& in, int k, const std::vector<float>& weights, Volume<float>& out, std::vector<Run>& runs) {
   const int radius = static_cast<int>(weights.size()) - 1, nx = in.frame.size[0], ny = in.frame.size[1];
   Sheet sheet(nx, ny, radius);
-  std::vector<float> padded(static_cast<std::size_t>(nx) + 2 * radius);
+  std::vector<float> padded(static_cast<std::size_t>(nx + 2 * radius));
   for (int j = 0; j < ny; ++j) {
     const float* row = &in.at(0, j, k);
     const Run run = nonzero_run(row, nx);

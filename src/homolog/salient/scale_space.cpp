@@ -98,10 +98,11 @@ void for_each_octave(const Interior& interior, const SalientParams& params, cons
   const Vec3 extent(box.high[0] - box.low[0] + 1, box.high[1] - box.low[1] + 1, box.high[2] - box.low[2] + 1);
   const double largest_sigma = interior.frame.spacing * extent.norm() / 2 / radius_factor(k);
 
-  Volume<float> gaussian = resampled(interior, box, 1, margin), next_octave;
+  Volume<float> gaussian = resampled(interior, box, 1, margin);
   gaussian = gaussian_blur(gaussian, std::sqrt(std::max(sigma0 * sigma0 - kCoverageVariance, 0.25)));
   while (true) {
     Octave octave;
+    Volume<float> next_octave;
     const GridFrame& frame = gaussian.frame;
     for (int axis = 0; axis < 3; ++axis) box.low[axis] = margin, box.high[axis] = frame.size[axis] - 1 - margin;
     for (int i = 0; i < levels + 2; ++i) {
