@@ -25,8 +25,8 @@ export function openBrowser() {
   return chromium.launch({
     executablePath: findChromium(),
     timeout: 120000,
-    // On a busy machine software drawing is slow enough to be taken for a hang.
-    args: ['--disable-gpu-watchdog', '--no-sandbox', '--use-gl=angle', '--use-angle=swiftshader', '--enable-unsafe-swiftshader',
-      '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run', '--disable-background-networking', '--disable-component-update', '--disable-sync'],
+    // Without a GPU process for the page itself, software draws only what is WebGL.
+    args: ['--disable-gpu', '--no-sandbox', '--enable-unsafe-swiftshader', '--ignore-gpu-blocklist', '--disable-quic', '--no-first-run',
+      '--disable-background-networking', '--disable-component-update', '--disable-sync'],
   });
 }

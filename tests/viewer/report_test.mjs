@@ -22,7 +22,7 @@ async function open(t, name, viewport = { width: 900, height: 560 }) {
   page.setDefaultTimeout(patience);
   t.after(() => page.close());
   const troubles = [];
-  page.on('console', (message) => ['error', 'warning'].includes(message.type()) && troubles.push(message.text()));
+  page.on('console', (message) => message.type() === 'error' && troubles.push(message.text()));
   page.on('pageerror', (error) => troubles.push(error.message));
   page.on('dialog', (dialog) => { troubles.push(`dialog ${dialog.message()}`); dialog.dismiss(); });
   page.on('request', (request) => /^(file|data|blob):/.test(request.url()) || troubles.push(`request ${request.url()}`));

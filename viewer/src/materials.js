@@ -1,5 +1,5 @@
 // How surfaces and balls look: lit from over the viewer's shoulder, edges denser than faces, as in glass.
-import { DoubleSide, ShaderMaterial, Vector3 } from 'three';
+import { DoubleSide, ShaderMaterial } from 'three';
 
 const vertexShader = /* glsl */ `
   attribute vec3 tint;
@@ -15,10 +15,18 @@ const vertexShader = /* glsl */ `
     gl_Position = projectionMatrix * p;
   }`;
 
+const ballVertexShader = /* glsl */ `
+  varying vec3 vNormal, vPosition, vTint;
+  void main() {
+    vec4 p = modelViewMatrix * instanceMatrix * vec4(position, 1.0);
+    vPosition = p.xyz;
+    vNormal = normalMatrix * normal;
+    vTint = instanceColor;
+    gl_Position = projectionMatrix * p;
+  }`;
+
 const lighting = /* glsl */ `
   varying vec3 vNormal, vPosition, vTint;
-  varying float vPart;
-  uniform float opacity;
   vec3 lit(vec3 colour, vec3 n, vec3 eye, float shine) {
     vec3 light = normalize(vec3(0.35, 0.75, 0.6));
     float diffuse = 0.72 + 0.28 * dot(n, light);
@@ -29,6 +37,8 @@ const lighting = /* glsl */ `
 // Where the smooth normal is far from the triangle's own, there is a crease: then the triangle's own is used.
 const surfaceShader = /* glsl */ `
   ${lighting}
+  varying float vPart;
+  uniform float opacity;
   void main() {
     vec3 eye = normalize(-vPosition);
     vec3 flatNormal = normalize(cross(dFdx(vPosition), dFdy(vPosition)));
@@ -43,13 +53,12 @@ const surfaceShader = /* glsl */ `
 
 const ballShader = /* glsl */ `
   ${lighting}
-  uniform vec3 colour;
   uniform float glass;
   void main() {
     vec3 eye = normalize(-vPosition);
     vec3 n = normalize(vNormal);
     float rim = pow(1.0 - max(0.0, dot(n, eye)), 2.0);
-    gl_FragColor = vec4(lit(colour, n, eye, 0.35), mix(1.0, 0.1 + 0.55 * rim, glass) * opacity);
+    gl_FragColor = vec4(lit(vTint, n, eye, 0.35), mix(1.0, 0.1 + 0.55 * rim, glass));
   }`;
 
 export function surfaceMaterial() {
@@ -60,9 +69,9 @@ export function surfaceMaterial() {
 }
 
 /// Matched balls are solid, the others glass.
-export function ballMaterial() {
+export function ballMaterial(glass) {
   return new ShaderMaterial({
-    vertexShader, fragmentShader: ballShader,
-    uniforms: { opacity: { value: 1 }, colour: { value: new Vector3() }, glass: { value: 1 } },
+    vertexShader: ballVertexShader, fragmentShader: ballShader, uniforms: { glass: { value: glass ? 1 : 0 } },
+    transparent: glass, depthWrite: !glass,
   });
 }

@@ -1,11 +1,10 @@
 // One shape in its pane: surface, balls at the salient points, and (on the side of the data) the warped model laid over it.
 import {
-  BufferAttribute, BufferGeometry, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene, SphereGeometry, Vector2,
-  Vector3, DoubleSide,
+  BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3,
 } from 'three';
-import { ballMaterial, surfaceMaterial } from './materials.js';
+import { Balls } from './balls.js';
+import { surfaceMaterial } from './materials.js';
 
-const ballGeometry = new SphereGeometry(1, 32, 20);
 const fieldOfView = 26;
 
 /// Clearing needs leave to write depth, which the ball drawn before may have taken away.
@@ -56,35 +55,16 @@ export class Pane {
     this.frame.scale.setScalar(1 / shape.mesh.radius);
     this.scene.add(this.turned.add(this.frame));
     this.surface = new Surface(shape.mesh, 10);
-    this.frame.add(this.surface.group);
-    this.places = Float32Array.from(shape.points.flatMap((point) => point.place));
-    this.balls = shape.points.map((_, i) => this.makeBall(i));
+    this.balls = new Balls(shape.points.length);
+    this.frame.add(this.surface.group, this.balls.group);
     this.area = { x: 0, y: 0, width: 1, height: 1 };
     this.fit = 1;
-  }
-
-  makeBall(index) {
-    const ball = new Mesh(ballGeometry, ballMaterial());
-    ball.userData.index = index;
-    this.frame.add(ball);
-    return ball;
   }
 
   /// Lays the model over this pane's shape, in this shape's frame.
   layOver(mesh) {
     this.overlay = new Surface(mesh, 20);
     this.frame.add(this.overlay.group);
-  }
-
-  placeBall(index, { shown, colour, solid, scale }) {
-    const ball = this.balls[index];
-    ball.visible = shown;
-    ball.position.fromArray(this.places, 3 * index);
-    ball.scale.setScalar(this.shape.points[index].radius * scale);
-    ball.material.uniforms.colour.value.fromArray(colour);
-    ball.material.uniforms.glass.value = solid ? 0 : 1;
-    ball.material.transparent = !solid;
-    ball.material.depthWrite = solid;
   }
 
   /// Sets camera and turn; `aligned` is the rotation that makes this shape face as the other does.
@@ -102,6 +82,7 @@ export class Pane {
     this.camera.updateProjectionMatrix();
     this.camera.updateMatrixWorld();
     this.scene.updateMatrixWorld();
+    this.balls.arrange(this.frame.worldToLocal(this.camera.position.clone()));
   }
 
   /// Where a point of the shape (relative to its centre) lies on the stage, in pixels.
@@ -111,10 +92,10 @@ export class Pane {
   }
 
   ballOnStage(index) {
-    const ball = this.balls[index];
-    const centre = this.project(ball.position.toArray());
-    const world = ball.scale.x * this.frame.scale.x;
-    const depth = this.camera.position.z - ball.getWorldPosition(new Vector3()).z;
+    const ball = this.balls.list[index];
+    const centre = this.project(ball.centre.toArray());
+    const world = ball.radius * this.frame.scale.x;
+    const depth = this.camera.position.z - this.frame.localToWorld(ball.centre.clone()).z;
     const radius = ((world / depth / Math.tan((fieldOfView * Math.PI) / 360)) * this.area.height) / 2;
     return { ...centre, radius };
   }
@@ -129,8 +110,6 @@ export class Pane {
     const { area } = this;
     const ray = new Raycaster();
     ray.setFromCamera(new Vector2((2 * (x - area.x)) / area.width - 1, 1 - (2 * (y - area.y)) / area.height), this.camera);
-    const hits = ray.intersectObjects(this.balls.filter((ball) => ball.visible), false);
-    const solid = hits.find((hit) => !hit.object.material.transparent);
-    return (solid ?? hits[0])?.object.userData.index ?? -1;
+    return this.balls.pick(ray.ray.applyMatrix4(this.frame.matrixWorld.clone().invert()));
   }
 }

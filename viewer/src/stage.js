@@ -77,18 +77,19 @@ export class Stage {
   placeBalls() {
     const { state, look, panes, pairs } = this;
     panes.forEach((pane, side) => {
-      const places = pane.shape.points.flatMap((point) => point.place);
-      pane.places = look && side === 0 ? between(Float32Array.from(places), look.balls.home, state.share) : places;
+      const places = Float32Array.from(pane.shape.points.flatMap((point) => point.place));
+      if (look && side === 0) between(places, look.balls.home, state.share, places);
       const values = look
         ? new Map(pairs.map((pair) => [side ? pair.data : pair.model, pair.confidence]))
         : new Map([...pane.shape.points.entries()].map(([i, { response }]) => [i, response]).filter(([, value]) => value >= state.least));
-      pane.shape.points.forEach((_, i) => {
+      pane.shape.points.forEach(({ radius }, i) => {
         const solid = values.has(i);
-        pane.placeBall(i, {
+        pane.balls.set(i, {
+          place: places.subarray(3 * i, 3 * i + 3),
+          radius: radius * state.ballScale,
           shown: state.points && (solid || (look && state.others)),
           colour: solid ? valueColour(values.get(i)) : idleColour,
           solid,
-          scale: state.ballScale,
         });
       });
     });
@@ -150,8 +151,8 @@ export class Stage {
     if (!this.state.lines || !this.match) return [];
     const [model, data] = this.panes;
     return this.pairs.map((pair) => ({
-      from: model.project(model.balls[pair.model].position.toArray()),
-      to: data.project(data.balls[pair.data].position.toArray()),
+      from: model.project(model.balls.list[pair.model].centre.toArray()),
+      to: data.project(data.balls.list[pair.data].centre.toArray()),
       confidence: pair.confidence,
       pair: pair.index,
     }));
