@@ -83,17 +83,6 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
 
 }  // namespace
 
-const char* handedness_name(Handedness handedness) {
-  switch (handedness) {
-    case Handedness::proper:
-      return "proper";
-    case Handedness::mirrored:
-      return "mirrored";
-    default:
-      return "ambiguous";
-  }
-}
-
 std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most) {
   std::stable_sort(sets.begin(), sets.end(), [](const GrownSet& a, const GrownSet& b) { return a.score > b.score; });
   std::vector<GrownSet> distinct;
