@@ -42,6 +42,7 @@ Family match_by_pairs(const Shape& model, const Shape& data, const Params& param
   const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
   sets.insert(sets.end(), mirrored.begin(), mirrored.end());
   Family family{make_family(sets, model, data, params, without_identity), {}};  // Sec. 6.2.3
+  measure_chamfer(family.matches, model, data);                                 // eq. 9
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
                           {"seeds", static_cast<long>(seeds.size())},
                           {"grown sets", static_cast<long>(sets.size())}};
@@ -64,7 +65,6 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
   const ThreadLimit limit(params.threads);
   const bool by_pairs = params.match.seeds == Seeds::pairs;
   Family family = (by_pairs ? match_by_pairs : match_by_quadruples)(model, data, params, without_identity);
-  measure_chamfer(family.matches, model, data);  // eq. 9
   auto& stages = family.counts.stages;
   stages.insert(stages.begin(), {"data points", static_cast<long>(data.points.size())});
   stages.insert(stages.begin(), {"model points", static_cast<long>(model.points.size())});

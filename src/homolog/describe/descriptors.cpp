@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/spherical_harmonics.h"
@@ -71,7 +72,7 @@ void append_invariants(const std::vector<std::complex<double>>& c, const Descrip
 Descriptor describe_point(const Interior& interior, const std::vector<Interior>& halved, const SalientPoint& point, const SphereGrid& grid,
                           const DescriptorParams& params) {
   const Mat3 frame = frame_about(point.direction);
-  const double angle = std::sqrt(4 * 3.14159265358979 / static_cast<double>(grid.directions().size()));
+  const double angle = std::sqrt(4 * std::numbers::pi / static_cast<double>(grid.directions().size()));
   Descriptor mu;
   std::vector<double> values(grid.directions().size());
   for (int shell = 0; shell < params.shell_count; ++shell) {

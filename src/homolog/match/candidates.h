@@ -11,6 +11,9 @@
 
 namespace homolog {
 
+/// L1 distance typical of true pairs of free descriptors: the unit in which seeds, growth and guided pairs charge it.
+constexpr double descriptor_spread = 3;
+
 /// Candidates ordered by (model, data) index.
 CorrespondenceSet find_candidates(const Shape& model, const Shape& data, const Params& params);
 

@@ -34,11 +34,11 @@ Nearest nearest(const Vec3& place, const Vec3& normal, const std::vector<Vec3>& 
   return result;
 }
 
-double typical_spacing(const std::vector<Vec3>& places, const std::vector<Vec3>& others) {
+double typical_spacing(const std::vector<Vec3>& places) {
   std::vector<double> distances;
   for (const Vec3& p : places) {
     double square = std::numeric_limits<double>::infinity();
-    for (const Vec3& q : others) {
+    for (const Vec3& q : places) {
       const double d = (p - q).squaredNorm();
       if (d > 0) square = std::min(square, d);
     }
@@ -75,7 +75,7 @@ Evidence weigh(const Cloth& cloth, const Body& model, double model_diagonal, con
     places.push_back(s.position);
     normals.push_back(s.normal);
   }
-  const double data_spacing = typical_spacing(places, places), skin_spacing = typical_spacing(skin, skin);
+  const double data_spacing = typical_spacing(places), skin_spacing = typical_spacing(skin);
   Evidence evidence;
   double model_hits = 0, near = 0, data_hits = 0;
   for (std::size_t i = 0; i < skin.size(); ++i) {

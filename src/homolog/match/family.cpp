@@ -68,10 +68,6 @@ bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const S
   });
 }
 
-bool allowed(Chirality chirality, Mirror mirror) {
-  return mirror == Mirror::allow || (mirror == Mirror::only) == (chirality == Chirality::mirrored);
-}
-
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
   std::vector<Refined> refined(sets.size());
   parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data); });
@@ -95,6 +91,10 @@ std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most
     if (!known) distinct.push_back(std::move(set));
   }
   return distinct;
+}
+
+bool allowed(Chirality chirality, Mirror mirror) {
+  return mirror == Mirror::allow || (mirror == Mirror::only) == (chirality == Chirality::mirrored);
 }
 
 std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,

@@ -13,6 +13,9 @@ namespace homolog {
 /// The best sets that share at most half of their pairs with a better one of the same chirality, best first.
 std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most);
 
+/// Whether --mirror lets a match of this chirality be told.
+bool allowed(Chirality chirality, Mirror mirror);
+
 /// `sets` refined and ranked. `without_identity`: leave out what maps a shape on itself as it is.
 std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
                                bool without_identity);

@@ -5,16 +5,17 @@
 #include <cmath>
 #include <limits>
 
+#include "homolog/match/candidates.h"
+
 namespace homolog {
 namespace {
 
-constexpr double cost_limit = 4;         // of a joining correspondence; about two standard deviations in all
-constexpr double place_nugget = 0.3;     // r: how well a salient point is localised
-constexpr double direction_nugget = 1;   // r
-constexpr double radius_spread = 0.2;    // of log r
-constexpr double descriptor_spread = 3;  // L1 distance typical of true pairs
-constexpr double angle_spread = 0.6;     // radians
-constexpr std::size_t few_pairs = 6;     // directions help to lay the spline only while it has so few
+constexpr double cost_limit = 4;        // of a joining correspondence; about two standard deviations in all
+constexpr double place_nugget = 0.3;    // r: how well a salient point is localised
+constexpr double direction_nugget = 1;  // r
+constexpr double radius_spread = 0.2;   // of log r
+constexpr double angle_spread = 0.6;    // radians
+constexpr std::size_t few_pairs = 6;    // directions help to lay the spline only while it has so few
 
 bool has_directions(const Correspondence& c) { return c.model_point.direction_length > 0 && c.data_point.direction_length > 0; }
 

@@ -4,12 +4,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/match/candidates.h"
+
 namespace homolog {
 namespace {
 
-constexpr double place_limit = 0.6;      // r'
-constexpr double radius_limit = 0.35;    // of log r
-constexpr double descriptor_spread = 3;  // L1 distance typical of true pairs
+constexpr double place_limit = 0.6;    // r'
+constexpr double radius_limit = 0.35;  // of log r
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "homolog/base/parallel.h"
+#include "homolog/match/candidates.h"
 
 namespace homolog {
 namespace {
@@ -13,8 +14,7 @@ namespace {
 constexpr double ratio_limit = 0.45;  // largest disagreement of log ratios
 constexpr double ratio_spread = 0.2;  // their typical disagreement when right
 constexpr double radius_spread = 0.3;
-constexpr double descriptor_spread = 3;  // L1 distance typical of true pairs
-constexpr double angle_spread = 0.6;     // radians
+constexpr double angle_spread = 0.6;  // radians
 constexpr std::size_t seed_count = 300;
 constexpr int uses_of_a_candidate = 6;
 constexpr double infinite = std::numeric_limits<double>::infinity();

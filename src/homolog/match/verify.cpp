@@ -6,6 +6,7 @@
 #include "homolog/base/parallel.h"
 #include "homolog/match/chamfer.h"
 #include "homolog/match/clique_growth.h"
+#include "homolog/match/family.h"
 #include "homolog/shape/distance_transform.h"
 
 namespace homolog {
@@ -40,8 +41,7 @@ bool is_identity(const CorrespondenceSet& set) {
 
 bool wanted(const Match& match, const Params& params) {
   if (!(match.bending < params.paper.bending_limit)) return false;  // eq. 8
-  if (params.match.mirror == Mirror::allow) return true;
-  return (params.match.mirror == Mirror::only) == (match.handedness == Handedness::mirrored);
+  return allowed(match.handedness == Handedness::mirrored ? Chirality::mirrored : Chirality::proper, params.match.mirror);
 }
 
 }  // namespace
