@@ -15,7 +15,7 @@ case "${1:-}" in
 esac
 
 have() { command -v "$1" >/dev/null; }
-installed() { dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null | grep -q '^ii'; }
+installed() { [[ $(dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null) == ii* ]]; }
 node_is_new_enough() { have npm && have node && [[ "$(node -p 'process.versions.node.split(".")[0] >= 18')" == true ]]; }
 have_clang_tidy() { for v in 16 17 18 19 20; do have "clang-tidy-$v" && return; done; return 1; }
 have_browser() { have chromium || have google-chrome || have google-chrome-stable; }
@@ -48,7 +48,8 @@ if [[ $EUID -ne 0 ]]; then
   as_root=(sudo)
 fi
 apt() { "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get -q -o Dpkg::Use-Pty=0 -o DPkg::Lock::Timeout=300 "$@"; }
-offers() { apt-cache show "$1" 2>/dev/null | grep -q '^Filename:'; }
+# Not grep -q: it stops reading at the first hit, apt-cache dies of the closed pipe, and pipefail takes that for "no".
+offers() { apt-cache show "$1" 2>/dev/null | grep '^Filename:' >/dev/null; }
 
 mkdir -p build
 log=build/install.log
