@@ -6,12 +6,15 @@
 
 #include "console.h"
 #include "homolog/homolog.h"
+#include "homolog/match/coverage.h"
 
 namespace homolog::cli {
 
 struct DescribedFile {
   Mesh mesh;
   Shape shape;
+
+  MeshedShape meshed() const { return {mesh, shape}; }
 };
 
 /// Throws FileError or ShapeError.

@@ -4,8 +4,10 @@
 #include <fmt/format.h>
 
 #include "exit_codes.h"
+#include "homolog/base/parallel.h"
 #include "homolog/outputs/landmarks.h"
 #include "homolog/outputs/match_json.h"
+#include "homolog/outputs/parts.h"
 #include "homolog/outputs/report.h"
 
 namespace homolog::cli {
@@ -34,16 +36,26 @@ std::string why_nothing(const StageCounts& counts) {
 
 namespace {
 
+MatchParts nothing_covered(const DescribedFile& model, const DescribedFile& data) {
+  return {{std::vector<float>(model.mesh.vertices.size(), 0), {}}, {std::vector<float>(data.mesh.vertices.size(), 0), {}}};
+}
+
 std::vector<std::pair<std::string, std::string>> result_files(const DescribedFile& model, const DescribedFile& data, const Family& family,
                                                               const Params& params, const std::string& json) {
   const Match best = family.matches.empty() ? Match{} : family.matches.front();
   const auto on_model = model_landmarks(best), on_data = data_landmarks(best);
+  const ThreadLimit limit(params.threads);
+  const std::vector<MatchParts> parts = covered_parts(model.meshed(), data.meshed(), family.matches);
+  const MatchParts part = parts.empty() ? nothing_covered(model, data) : parts.front();
   return {{"match.json", json},
+          {"parts.json", parts_json(model.meshed(), data.meshed(), parts)},
+          {"model.part.ply", part_ply(model.mesh, part.model.vertices)},
+          {"data.part.ply", part_ply(data.mesh, part.data.vertices)},
           {"model.landmarks.csv", landmarks_csv(on_model)},
           {"data.landmarks.csv", landmarks_csv(on_data)},
           {"model.mrk.json", landmarks_markups(on_model)},
           {"data.mrk.json", landmarks_markups(on_data)},
-          {"report.html", match_report({model.mesh, model.shape}, {data.mesh, data.shape}, family, params)}};
+          {"report.html", match_report(model.meshed(), data.meshed(), family, parts, params)}};
 }
 
 }  // namespace

@@ -53,7 +53,7 @@ int run_points(const PointsOptions& options) {
     folder.write({{"points.json", json},
                   {"points.csv", landmarks_csv(landmarks)},
                   {"points.mrk.json", landmarks_markups(landmarks)},
-                  {"report.html", points_report({file.mesh, file.shape}, params)}});
+                  {"report.html", points_report(file.meshed(), params)}});
   }
   console.clear();
   std::string text = options.common.json ? json : points_table(landmarks);

@@ -18,7 +18,7 @@ import bear
 PROGRAM, VERSION, EXAMPLES = os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3])
 VERBS = ("match", "symmetry", "points", "params")
 COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
-MATCH_FILES = {"match.json", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
+MATCH_FILES = {"match.json", "parts.json", "model.part.ply", "data.part.ply", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
 POINT_FILES = {"points.json", "points.csv", "points.mrk.json", "report.html"}
 
 

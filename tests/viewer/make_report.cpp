@@ -7,6 +7,7 @@
 #include "fixtures/solids.h"
 #include "homolog/outputs/report.h"
 #include "homolog/outputs/write_file.h"
+#include "homolog/shape/voxelize.h"
 
 namespace {
 
@@ -48,6 +49,7 @@ Shape make_shape(const std::string& name, const Animal& animal) {
   shape.name = name;
   shape.diagonal = bounding_box(animal.mesh).diagonal();
   shape.points = animal.points;
+  shape.interior = voxelize(animal.mesh, 64).interior;
   return shape;
 }
 
@@ -99,9 +101,10 @@ int main(int argc, char** argv) {
   const Family nothing{{}, {{{"candidates", 12}, {"seeds", 0}}}};
   const Shape a = make_shape("deer.off", model), b = make_shape("bent deer.off", data);
   const Shape hostile = make_shape("</script><script>alert(1)</script><img src=x onerror=alert(2)>.off", model);
-  const ReportShape left{model.mesh, a}, right{data.mesh, b};
-  write_file(folder / "match.html", match_report(left, right, family, {}));
-  write_file(folder / "empty.html", match_report(left, right, nothing, {}));
+  const MeshedShape left{model.mesh, a}, right{data.mesh, b};
+  const std::vector<MatchParts> parts = covered_parts(left, right, family.matches);
+  write_file(folder / "match.html", match_report(left, right, family, parts, {}));
+  write_file(folder / "empty.html", match_report(left, right, nothing, {}, {}));
   write_file(folder / "points.html", points_report(left, {}));
-  write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, {}));
+  write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, parts, {}));
 }

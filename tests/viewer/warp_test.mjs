@@ -3,7 +3,7 @@ import assert from 'node:assert/strict';
 import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
-import { nearest, partWeights } from '../../viewer/src/part.js';
+import { nearest } from '../../viewer/src/colour_transfer.js';
 import { readReport } from '../../viewer/src/report.js';
 import { between, journey } from '../../viewer/src/warp.js';
 
@@ -37,11 +37,16 @@ test('between leads from the start to the end', () => {
   assert.deepEqual([...between(new Float32Array([0, 2]), new Float32Array([4, 2]), 0.25)], [1, 2]);
 });
 
-test('a vertex belongs to the part as far as it is near a matched ball', () => {
-  const weights = partWeights(new Float32Array([0, 0, 1, 0, 0, 4, 0, 0, 100]), [{ place: [0, 0, 0], radius: 2 }]);
-  assert.equal(weights[0], 1);
-  assert.ok(weights[1] > 0 && weights[1] < 1);
-  assert.equal(weights[2], 0);
+test('every match says of every drawn vertex how surely it is covered', () => {
+  assert.equal(report.parts.length, report.matches.length);
+  for (const weights of report.parts) {
+    report.shapes.forEach(({ mesh }, side) => {
+      assert.equal(3 * weights[side].length, mesh.positions.length);
+      assert.ok(weights[side].every((w) => w >= 0 && w <= 1));
+    });
+  }
+  const mean = (weights) => weights.reduce((sum, w) => sum + w / weights.length, 0);
+  assert.ok(mean(report.parts[0][0]) > mean(report.parts[2][0]), 'the whole animal covers more than its head');
 });
 
 test('the nearest point is found across cells, and none out of reach', () => {

@@ -1,7 +1,7 @@
 // What one match looks like: colours of both surfaces, where the warp carries the model, how the model turns. Computed once a match.
 import { mix, overlayColour, partColour, surfaceColour } from './colours.js';
 import { turnOf } from './orientation.js';
-import { nearest, partWeights, positionColours } from './part.js';
+import { nearest, positionColours } from './colour_transfer.js';
 import { journey } from './warp.js';
 
 export function confidentPairs(match, least) {
@@ -32,19 +32,16 @@ export class Looks {
   }
 
   of(index) {
-    if (!this.cache.has(index)) this.cache.set(index, this.make(this.report.matches[index]));
+    if (!this.cache.has(index)) this.cache.set(index, this.make(this.report.matches[index], this.report.parts[index]));
     return this.cache.get(index);
   }
 
-  make(match) {
+  make(match, weights) {
     const [model, data] = this.report.shapes;
     const travel = (positions) => journey(match, positions, model.mesh.centre, data.mesh.centre);
     const look = {
       turn: turnOf(match.data_from_model, model.mesh.positions),
-      weights: [
-        partWeights(model.mesh.positions, match.pairs.map((pair) => model.points[pair.model])),
-        partWeights(data.mesh.positions, match.pairs.map((pair) => data.points[pair.data])),
-      ],
+      weights,
       surface: travel(model.mesh.positions),
       balls: travel(Float32Array.from(model.points.flatMap((point) => point.place))),
       colours: {},

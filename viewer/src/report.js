@@ -1,4 +1,4 @@
-// Reads the data of the page: the result as in match.json or points.json, and the meshes.
+// Reads the data of the page: the result as in match.json or points.json, the meshes, and the parts that matches cover.
 // All positions leave here relative to the centre of their own shape, so that single precision is enough to draw them.
 
 function bytes(base64) {
@@ -21,14 +21,18 @@ function readShape(side, meshData) {
   return { name: side.file, points, mesh };
 }
 
+/// For every vertex of a mesh how surely it lies in the covered part, 0 to 1.
+const readWeights = (base64) => Float32Array.from(new Uint8Array(bytes(base64)), (byte) => byte / 255);
+
 export function readReport(text) {
-  const { result, meshes } = JSON.parse(text);
+  const { result, meshes, parts } = JSON.parse(text);
   const sides = result.shape ? [result.shape] : [result.model, result.data];
   return {
     program: result.program,
     parameters: result.parameters,
     counts: result.counts ?? {},
     matches: result.matches ?? [],
+    parts: parts.map((sides) => sides.map(readWeights)),
     shapes: sides.map((side, i) => readShape(side, meshes[i])),
   };
 }

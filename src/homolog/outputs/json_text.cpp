@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/outputs/json_text.h"
 
+#include <algorithm>
+
 namespace homolog {
 namespace {
 
@@ -13,6 +15,22 @@ std::string one_line(const ordered_json& value) {
   return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
+/// A long list of plain values, as many on a line as fit.
+void append_filled(std::string& text, const ordered_json& list, const std::string& margin) {
+  text += '[';
+  std::size_t column = kLineLength;  // the first value begins a line
+  for (std::size_t i = 0; i < list.size(); ++i) {
+    const std::string item = one_line(list[i]) + (i + 1 < list.size() ? "," : "");
+    if (column + item.size() > kLineLength) {
+      text.append("\n").append(margin);
+      column = margin.size();
+    }
+    text += item;
+    column += item.size();
+  }
+  text.append("\n").append(margin, 1).append("]");
+}
+
 void append(std::string& text, const ordered_json& value, std::size_t indent) {
   const std::string line = one_line(value);
   if (!value.is_structured() || indent + line.size() <= kLineLength) {
@@ -20,6 +38,10 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
     return;
   }
   const std::string margin(indent + 1, ' ');
+  if (value.is_array() && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); })) {
+    append_filled(text, value, margin);
+    return;
+  }
   text += value.is_object() ? '{' : '[';
   bool first = true;
   for (const auto& [key, item] : value.items()) {

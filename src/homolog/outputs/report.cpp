@@ -8,6 +8,8 @@
 namespace homolog {
 namespace {
 
+using nlohmann::ordered_json;
+
 /// JSON may spell `<` as an escape: then no file name can end the page's data or become markup.
 std::string without_markup(const std::string& json) {
   std::string text;
@@ -22,22 +24,31 @@ std::string without_markup(const std::string& json) {
   return text;
 }
 
-std::string page(const std::string& result, const nlohmann::ordered_json& meshes) {
+std::string page(const std::string& result, const ordered_json& meshes, const ordered_json& parts) {
   std::string text;
   for (const std::string_view piece : report_template) text += piece;
   static constexpr std::string_view kPlace = "{{report}}";
-  text.replace(text.rfind(kPlace), kPlace.size(), without_markup("{\"result\": " + result + ", \"meshes\": " + meshes.dump() + "}"));
+  text.replace(text.rfind(kPlace), kPlace.size(),
+               without_markup("{\"result\": " + result + ", \"meshes\": " + meshes.dump() + ", \"parts\": " + parts.dump() + "}"));
   return text;
 }
 
 }  // namespace
 
-std::string match_report(const ReportShape& model, const ReportShape& data, const Family& family, const Params& params) {
-  return page(match_json(model.shape, data.shape, family, params), {mesh_for_page(model.mesh), mesh_for_page(data.mesh)});
+std::string match_report(const MeshedShape& model, const MeshedShape& data, const Family& family, const std::vector<MatchParts>& parts,
+                         const Params& params) {
+  const DrawnMesh drawn_model = mesh_to_draw(model.mesh), drawn_data = mesh_to_draw(data.mesh);
+  ordered_json weights = ordered_json::array();
+  for (const MatchParts& part : parts) {
+    weights.push_back({weights_for_page(drawn_model, part.model.vertices), weights_for_page(drawn_data, part.data.vertices)});
+  }
+  return page(match_json(model.shape, data.shape, family, params),
+              {mesh_for_page(model.mesh, drawn_model), mesh_for_page(data.mesh, drawn_data)}, weights);
 }
 
-std::string points_report(const ReportShape& shape, const Params& params) {
-  return page(points_json(shape.shape, params), nlohmann::ordered_json::array({mesh_for_page(shape.mesh)}));
+std::string points_report(const MeshedShape& shape, const Params& params) {
+  return page(points_json(shape.shape, params), ordered_json::array({mesh_for_page(shape.mesh, mesh_to_draw(shape.mesh))}),
+              ordered_json::array());
 }
 
 }  // namespace homolog

@@ -5,16 +5,13 @@
 #include <string>
 
 #include "homolog/homolog.h"
+#include "homolog/match/coverage.h"
 
 namespace homolog {
 
-/// What the report draws of one side.
-struct ReportShape {
-  const Mesh& mesh;
-  const Shape& shape;
-};
-
-std::string match_report(const ReportShape& model, const ReportShape& data, const Family& family, const Params& params);
-std::string points_report(const ReportShape& shape, const Params& params);
+/// `parts` as covered_parts() made them, one for each match.
+std::string match_report(const MeshedShape& model, const MeshedShape& data, const Family& family, const std::vector<MatchParts>& parts,
+                         const Params& params);
+std::string points_report(const MeshedShape& shape, const Params& params);
 
 }  // namespace homolog

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 #include <span>
 
 namespace homolog {
@@ -34,10 +35,11 @@ std::vector<KeyedVertex> sort_into_cells(const Mesh& mesh, const Vec3& origin, d
 }
 
 /// All vertices of a cell become their mean; triangles that collapse are dropped. At most 2^21 cells along an axis.
-Mesh cluster(const Mesh& mesh, double cell) {
+DrawnMesh cluster(const Mesh& mesh, double cell) {
   const std::vector<KeyedVertex> keyed = sort_into_cells(mesh, bounding_box(mesh).min, cell);
-  Mesh result;
-  std::vector<std::uint32_t> cluster_of(mesh.vertices.size());
+  DrawnMesh drawn{{}, std::vector<std::uint32_t>(mesh.vertices.size(), DrawnMesh::nowhere)};
+  Mesh& result = drawn.mesh;
+  std::vector<std::uint32_t>& cluster_of = drawn.drawn_vertex;
   for (std::size_t begin = 0, end = 0; begin < keyed.size(); begin = end) {
     Vec3 sum = Vec3::Zero();
     for (; end < keyed.size() && keyed[end].cell == keyed[begin].cell; ++end) {
@@ -50,7 +52,7 @@ Mesh cluster(const Mesh& mesh, double cell) {
     const std::array<std::uint32_t, 3> triangle{cluster_of[a], cluster_of[b], cluster_of[c]};
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) result.triangles.push_back(triangle);
   }
-  return result;
+  return drawn;
 }
 
 template <class T>
@@ -70,25 +72,36 @@ std::string base64(const std::vector<T>& values) {
 
 }  // namespace
 
-Mesh mesh_to_draw(const Mesh& mesh, std::size_t max_triangles) {
+DrawnMesh mesh_to_draw(const Mesh& mesh, std::size_t max_triangles) {
   const double diagonal = bounding_box(mesh).diagonal();
-  Mesh result = cluster(mesh, diagonal * 1e-6);
-  for (double cell = diagonal / 400; result.triangles.size() > max_triangles; cell *= 1.2) result = cluster(mesh, cell);
-  return result;
+  DrawnMesh drawn = cluster(mesh, diagonal * 1e-6);
+  for (double cell = diagonal / 400; drawn.mesh.triangles.size() > max_triangles; cell *= 1.2) drawn = cluster(mesh, cell);
+  return drawn;
 }
 
-nlohmann::ordered_json mesh_for_page(const Mesh& mesh) {
+nlohmann::ordered_json mesh_for_page(const Mesh& mesh, const DrawnMesh& drawn) {
   const Box box = bounding_box(mesh);
   const Vec3 centre = (box.min + box.max) / 2;
-  const Mesh drawn = mesh_to_draw(mesh);
   std::vector<float> positions;
-  for (const Vec3& v : drawn.vertices) {
+  for (const Vec3& v : drawn.mesh.vertices) {
     for (int axis = 0; axis < 3; ++axis) positions.push_back(static_cast<float>(v[axis] - centre[axis]));
   }
   return {{"centre", {centre.x(), centre.y(), centre.z()}},
           {"positions", base64(positions)},
-          {"indices", base64(drawn.triangles)},
+          {"indices", base64(drawn.mesh.triangles)},
           {"triangles", mesh.triangles.size()}};
+}
+
+std::string weights_for_page(const DrawnMesh& drawn, const std::vector<float>& weights) {
+  std::vector<double> sums(drawn.mesh.vertices.size(), 0), counts(sums);
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (drawn.drawn_vertex[i] == DrawnMesh::nowhere) continue;
+    sums[drawn.drawn_vertex[i]] += weights[i];
+    ++counts[drawn.drawn_vertex[i]];
+  }
+  std::vector<std::uint8_t> bytes;
+  for (std::size_t i = 0; i < sums.size(); ++i) bytes.push_back(static_cast<std::uint8_t>(std::lround(255 * sums[i] / counts[i])));
+  return base64(bytes);
 }
 
 }  // namespace homolog

@@ -1,26 +1,9 @@
-// Which vertices belong to the part that a match covers, and how its colours travel.
-
-const near = 1.4;  // radii up to which a vertex fully belongs to a matched point
-const far = 2.6;   // radii from which it does not
+// How the colours of a surface travel.
 
 /// 1 up to `full`, 0 from `none`, smooth between.
 function fade(distance, full, none) {
   const s = Math.min(1, Math.max(0, (none - distance) / (none - full)));
   return s * s * (3 - 2 * s);
-}
-
-/// For every vertex 0 to 1: how near it is to the balls of the given points.
-export function partWeights(positions, points) {
-  const weights = new Float32Array(positions.length / 3);
-  for (const { place, radius } of points) {
-    for (let i = 0; i < weights.length; ++i) {
-      const dx = positions[3 * i] - place[0];
-      const dy = positions[3 * i + 1] - place[1];
-      const dz = positions[3 * i + 2] - place[2];
-      weights[i] = Math.max(weights[i], fade(Math.sqrt(dx * dx + dy * dy + dz * dz) / radius, near, far));
-    }
-  }
-  return weights;
 }
 
 /// A smooth colour for every place of a shape.

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/coverage.h"
+
+#include <algorithm>
+
+#include "homolog/base/parallel.h"
+#include "homolog/match/local_map.h"
+#include "homolog/shape/nearest_surface.h"
+#include "homolog/shape/vertex_normals.h"
+
+namespace homolog {
+namespace {
+
+constexpr double reach_share = 0.02;  // of the matched extent: so far apart along the normal, two skins are still one
+
+/// Places with their outward normals.
+struct Places {
+  std::vector<Vec3> positions, normals;
+};
+
+/// One side of all matches: its places in its own coordinates, and where the part in use lies.
+struct Side {
+  Places vertices, samples;
+  Box in_use;  ///< the voxels' grid, half a voxel around what was described
+  double spacing = 0;
+};
+
+/// One side of one match in the data's coordinates; the surface, and where each of its vertices is at home.
+struct LaidSide {
+  Places vertices, samples;
+  NearestSurface surface;
+};
+
+Side make_side(const MeshedShape& meshed) {
+  Side side{{meshed.mesh.vertices, vertex_normals(meshed.mesh)}, {}, {}, 0};
+  for (const SurfaceSample& s : meshed.shape.surface) {
+    side.samples.positions.push_back(s.position);
+    side.samples.normals.push_back(s.normal);
+  }
+  const GridFrame& frame = meshed.shape.interior.frame;
+  side.spacing = frame.spacing;
+  side.in_use.min = frame.origin;
+  side.in_use.max = frame.world_from_voxel(Vec3(frame.size[0] - 1, frame.size[1] - 1, frame.size[2] - 1));
+  return side;
+}
+
+bool in_use(const Side& side, const Vec3& x) {
+  return (x.array() >= side.in_use.min.array()).all() && (x.array() <= side.in_use.max.array()).all();
+}
+
+Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
+  Places result{std::vector<Vec3>(places.positions.size()), std::vector<Vec3>(places.positions.size())};
+  parallel_for(places.positions.size(), [&](std::size_t i) {
+    const LocalMap local = local_map(data_from_model, places.positions[i]);
+    result.positions[i] = local.position;
+    result.normals[i] = mapped_normal(local.gradient, places.normals[i]);
+  });
+  return result;
+}
+
+NearestSurface surface_of(const Places& vertices, const Mesh& mesh) { return {{vertices.positions, mesh.triangles}, vertices.normals}; }
+
+/// What a match measures its distances by, in the data's unit.
+struct Tolerance {
+  double reach, voxel;
+};
+
+/// How surely `places`, whose home coordinates are `home` on `side`, lie on the other side's surface.
+std::vector<float> weigh(const Places& places, const std::vector<Vec3>& home, const Side& side, const NearestSurface& other,
+                         const Side& other_side, const Tolerance& tolerance) {
+  std::vector<float> weights(places.positions.size(), 0);
+  parallel_for(weights.size(), [&](std::size_t i) {
+    if (!in_use(side, home[i])) return;
+    const Vec3 &x = places.positions[i], &normal = places.normals[i];
+    const auto place = other.nearest(x, normal, 2.5 * tolerance.reach);
+    if (!place || !in_use(other_side, other.between(*place, other_side.vertices.positions))) return;
+    const double along = std::abs((place->position - x).dot(normal));
+    const double beside = (place->position - x - (place->position - x).dot(normal) * normal).norm();
+    weights[i] = static_cast<float>(fade(along / tolerance.reach, 1, 2) * fade(beside / (tolerance.voxel + along / 2), 0.5, 1.5));
+  });
+  return weights;
+}
+
+PartWeights weigh_both(const LaidSide& laid_side, const Side& side, const LaidSide& other, const Side& other_side,
+                       const Tolerance& tolerance) {
+  return {weigh(laid_side.vertices, side.vertices.positions, side, other.surface, other_side, tolerance),
+          weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance)};
+}
+
+}  // namespace
+
+double fade(double value, double full, double none) {
+  const double share = std::clamp((none - value) / (none - full), 0.0, 1.0);
+  return share * share * (3 - 2 * share);
+}
+
+std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches) {
+  if (matches.empty()) return {};
+  const Side model_side = make_side(model), data_side = make_side(data);
+  const LaidSide laid_data{data_side.vertices, data_side.samples, surface_of(data_side.vertices, data.mesh)};
+  std::vector<MatchParts> parts;
+  for (const Match& match : matches) {
+    const double scale = match.similarity.scale;
+    const Tolerance tolerance{reach_share * std::min(data.shape.diagonal, scale * model.shape.diagonal),
+                              std::max(data_side.spacing, scale * model_side.spacing)};
+    Places vertices = laid(model_side.vertices, match.data_from_model);
+    NearestSurface surface = surface_of(vertices, model.mesh);
+    const LaidSide laid_model{std::move(vertices), laid(model_side.samples, match.data_from_model), std::move(surface)};
+    parts.push_back({weigh_both(laid_model, model_side, laid_data, data_side, tolerance),
+                     weigh_both(laid_data, data_side, laid_model, model_side, tolerance)});
+  }
+  return parts;
+}
+
+}  // namespace homolog

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/nearest_surface.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/solids.h"
+#include "homolog/shape/vertex_normals.h"
+
+namespace homolog {
+namespace {
+
+NearestSurface surface_of(const Mesh& mesh) { return {mesh, vertex_normals(mesh)}; }
+
+TEST(NearestOnTriangle, IsTheFootOrOnTheNearestEdgeOrCorner) {
+  const Vec3 a(0, 0, 0), b(2, 0, 0), c(0, 2, 0);
+  EXPECT_TRUE(nearest_on_triangle(a, b, c, {0.5, 0.5, 3}).isApprox(Vec3(0.5, 0.25, 0.25)));
+  EXPECT_TRUE(nearest_on_triangle(a, b, c, {1, -1, 1}).isApprox(Vec3(0.5, 0.5, 0)));
+  EXPECT_TRUE(nearest_on_triangle(a, b, c, {5, -1, 0}).isApprox(Vec3(0, 1, 0)));
+  EXPECT_TRUE(nearest_on_triangle(a, b, c, {2, 2, 0}).isApprox(Vec3(0, 0.5, 0.5)));
+}
+
+TEST(NearestOnTriangle, WithoutAreaIsOnItsEdges) {
+  const Vec3 shares = nearest_on_triangle({0, 0, 0}, {1, 0, 0}, {4, 0, 0}, {3, 1, 0});
+  EXPECT_NEAR(shares.sum(), 1, 1e-12);
+  EXPECT_NEAR(shares[1] + 4 * shares[2], 3, 1e-12);
+  EXPECT_TRUE(nearest_on_triangle({1, 1, 1}, {1, 1, 1}, {1, 1, 1}, {3, 1, 0}).isApprox(Vec3(1, 0, 0)));
+}
+
+TEST(NearestSurface, AgreesWithLookingAtEveryTriangle) {
+  const Mesh mesh = fixtures::mesh_of(fixtures::quadruped(), 24);
+  const NearestSurface surface = surface_of(mesh);
+  for (int i = 0; i < 200; ++i) {
+    const Vec3 x = fixtures::random_rotation(i) * Vec3(1.5 * i / 200, 0.1, 0.3);
+    double least = 1e9;
+    for (const auto& [a, b, c] : mesh.triangles) {
+      const Vec3 &p = mesh.vertices[a], &q = mesh.vertices[b], &r = mesh.vertices[c];
+      const Vec3 shares = nearest_on_triangle(p, q, r, x);
+      least = std::min(least, (shares[0] * p + shares[1] * q + shares[2] * r - x).norm());
+    }
+    const auto place = surface.nearest(x, Vec3::Zero(), 100);
+    ASSERT_TRUE(place);
+    EXPECT_NEAR(place->distance, least, 1e-12);
+    EXPECT_NEAR((place->position - x).norm(), least, 1e-12);
+    EXPECT_FALSE(surface.nearest(x, Vec3::Zero(), 0.99 * least));
+  }
+}
+
+TEST(NearestSurface, FindsTheSideThatFacesTheSameWay) {
+  const Mesh mesh = fixtures::mesh_of(fixtures::box({0, 0, 0}, {1, 1, 0.05}), 40);
+  const NearestSurface surface = surface_of(mesh);
+  const auto below = surface.nearest({0.1, 0.2, 0.04}, -Vec3::UnitZ(), 1);
+  ASSERT_TRUE(below);
+  EXPECT_NEAR(below->position.z(), -0.05, 1e-9);
+  EXPECT_NEAR(surface.nearest({0.1, 0.2, -0.04}, Vec3::UnitZ(), 1)->position.z(), 0.05, 1e-9);
+  EXPECT_FALSE(surface.nearest({0.1, 0.2, 0.04}, -Vec3::UnitZ(), 0.05));
+}
+
+TEST(NearestSurface, OfNothingIsNowhere) { EXPECT_FALSE(surface_of({}).nearest(Vec3::Zero(), Vec3::Zero(), 1e9)); }
+
+TEST(VertexNormals, OfABallPointFromItsCentreHoweverItsTrianglesTurn) {
+  Mesh mesh = fixtures::mesh_of(fixtures::ball({1, 2, 3}, 0.5), 16);
+  for (std::size_t i = 0; i < mesh.triangles.size(); i += 3) std::swap(mesh.triangles[i][0], mesh.triangles[i][1]);
+  mesh.vertices.push_back({7, 7, 7});
+  const std::vector<Vec3> normals = vertex_normals(mesh);
+  for (std::size_t i = 0; i + 1 < normals.size(); ++i) {
+    EXPECT_GT(normals[i].dot((mesh.vertices[i] - Vec3(1, 2, 3)).normalized()), 0.98);
+    EXPECT_NEAR(normals[i].norm(), 1, 1e-12);
+  }
+  EXPECT_EQ(normals.back(), Vec3::Zero());
+}
+
+}  // namespace
+}  // namespace homolog
