@@ -51,9 +51,13 @@ void expect_found(const Mesh& mesh, const Mesh& copy, const Move& truth, const s
 }
 
 TEST(WholeWay, AHandFindsItselfMovedTurnedAndScaled) {
-  const Move moves[] = {
-      {Mat3::Identity(), 1, {0, 0, 0}}, {random_rotation(1), 1e-3, {5, -3, 2}}, {random_rotation(2), 1e3, {-7e3, 1e4, 2}}};
-  for (const Move& move : moves) expect_found(hand_mesh(), moved_mesh(hand_mesh(), move), move, std::to_string(move.scale));
+  const Move move{random_rotation(1), 1e-3, {5, -3, 2}};
+  expect_found(hand_mesh(), moved_mesh(hand_mesh(), move), move, "small copy");
+}
+
+TEST(WholeWay, AHandFindsItselfRemeshedAndLarge) {
+  const Move move{random_rotation(2), 1e3, {-7e3, 1e4, 2}};
+  expect_found(hand_mesh(), moved_mesh(mesh_of(hand(), 50), move), move, "large copy of a coarser mesh");
 }
 
 // Wrong: the hand is so flat that its mirror image lies within the near tie of merit (family.cpp) on the grid of this turned copy, though
@@ -76,8 +80,6 @@ TEST(WholeWay, DISABLED_TheScaleOfARigidCopyIsRightWithinOnePercent) {
   EXPECT_NEAR(family.matches[0].similarity.scale / move.scale, 1, 0.01);
 }
 
-TEST(WholeWay, AHandFindsItselfRemeshed) { expect_found(hand_mesh(), mesh_of(hand(), 50), {}, "coarser mesh"); }
-
 TEST(WholeWay, AHandFindsItselfInNoise) {
   Mesh noisy = hand_mesh();
   std::mt19937 random(4);
@@ -93,15 +95,13 @@ TEST(WholeWay, AMirroredHandIsFoundMirrored) {
   expect_found(hand_mesh(), moved_mesh(hand_mesh(), mirror), mirror, "mirror");
 }
 
-TEST(WholeWay, MirrorParameterIsObeyed) {
+// Mirror::only is left to Family.MirrorParameterLeavesOneChirality.
+TEST(WholeWay, ForbiddenMirrorImagesAreNotTold) {
   const Shape shape = described(hand());
   Params params = coarse();
-  for (const Mirror mirror : {Mirror::forbid, Mirror::only}) {
-    params.match.mirror = mirror;
-    for (const Match& match : match_shapes(shape, shape, params).matches) {
-      EXPECT_EQ(match.similarity.rotation.determinant() < 0, mirror == Mirror::only);
-    }
-  }
+  params.match.mirror = Mirror::forbid;
+  const Family family = match_shapes(shape, described(moved(hand(), {mirror_x(), 1, {1, 0, 0}})), params);
+  for (const Match& match : family.matches) EXPECT_GT(match.similarity.rotation.determinant(), 0);
 }
 
 TEST(WholeWay, StrangersAreNotFound) {
@@ -123,7 +123,7 @@ TEST(WholeWay, AQuadrupedsSymmetryIsItsMirrorImageAndNotTheIdentity) {
 
 TEST(WholeWay, BytesRepeatForAnyNumberOfThreads) {
   std::string first;
-  for (const int threads : {1, 2, 3}) {
+  for (const int threads : {1, 3}) {
     Params params = coarse();
     params.threads = threads;
     const Shape model = describe_shape(hand_mesh(), params);
@@ -157,6 +157,38 @@ TEST(WholeWay, EveryParameterOutOfRangeIsRefused) {
   refused();
 }
 
+// Fig. 7: the separate wing of a biplane, and how many matches lie on its upper and on its lower wing (shorter, and of another chord).
+// A flat box comes to lie on itself in eight ways, proper and mirrored ones.
+struct OnWings {
+  int upper = 0, lower = 0, elsewhere = 0;
+  bool operator==(const OnWings&) const = default;
+};
+
+OnWings wings_found(const Move& move) {
+  constexpr int fine = 96;  // a wing is 1.2 voxels thick on the plane
+  Params params = coarse(fine);
+  params.match.matches = 24;
+  const Shape wing = described(moved(box({0, 0, 0}, {0.17, 1.1, 0.028}), move), fine), plane = described(biplane(), fine);
+  OnWings found;
+  for (const Match& match : match_shapes(wing, plane, params).matches) {
+    Vec3 centre = Vec3::Zero();
+    for (const Vec3& node : wing.body.nodes) centre += match.data_from_model(node) / static_cast<double>(wing.body.nodes.size());
+    const bool upper = (centre - Vec3(0.3, 0, 0.32)).norm() < right * plane.diagonal;
+    const bool lower = (centre - Vec3(0.2, 0, -0.14)).norm() < right * plane.diagonal;
+    ++(upper ? found.upper : lower ? found.lower : found.elsewhere);
+    EXPECT_FALSE(upper && found.lower > 0) << "the wing's own place comes first";
+  }
+  return found;
+}
+
+TEST(WholeWay, AWingOfABiplaneIsFoundAsOftenAsItOccurs) { EXPECT_EQ(wings_found({}), (OnWings{8, 8, 0})); }
+
+// Wrong: a thin plate askew on the grid has dozens of points along its edges that the plane's own wing has not; only the upper wing is
+// found.
+TEST(WholeWay, DISABLED_ATurnedWingOfABiplaneIsFoundAsOftenAsItOccurs) {
+  EXPECT_EQ(wings_found({random_rotation(5), 30, {5, 1, 2}}), (OnWings{8, 8, 0}));
+}
+
 TEST(WholeWay, ThePapersQuadruplesFindTheBiplaneInItself) {
   Params params = paper_preset();
   params.voxel.resolution = 64;
@@ -167,9 +199,11 @@ TEST(WholeWay, ThePapersQuadruplesFindTheBiplaneInItself) {
   EXPECT_LT(error_of(family.matches[0], shape, shape, {}), right);
 }
 
-TEST(WholeWay, CountsTellHowFarTheWayWent) {
+TEST(WholeWay, AHandFindsItselfAndCountsTellHowFarTheWayWent) {
   const Shape shape = described(hand());
   const Family family = match_shapes(shape, shape, coarse());
+  ASSERT_FALSE(family.matches.empty());
+  EXPECT_LT(error_of(family.matches[0], shape, shape, {}), right);
   ASSERT_EQ(family.counts.stages.front().first, "model points");
   EXPECT_EQ(family.counts.stages.front().second, static_cast<long>(shape.points.size()));
   EXPECT_EQ(family.counts.stages.back(), std::pair(std::string("matches"), static_cast<long>(family.matches.size())));
