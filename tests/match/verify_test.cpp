@@ -48,6 +48,16 @@ TEST(Sec623, TheLargestSetComesFirst) {
   EXPECT_EQ(verified_sets({all_points(count - 1), all_points()}, shape(), shape(), params, false).size(), 1u);
 }
 
+TEST(Verify, CoverageIsTheSkinNearTheMatchedPoints) {
+  CorrespondenceSet set = all_points();
+  for (Correspondence& c : set) c.model_point.radius = 0.03;  // so that the model is seen at its thin places only
+  const std::vector<Match> matches = verified_sets({set}, shape(), shape(), coarse(), false);
+  ASSERT_EQ(matches.size(), 1u);
+  EXPECT_GT(matches[0].model_coverage, 0);
+  EXPECT_LT(matches[0].model_coverage, 0.5);
+  EXPECT_EQ(matches[0].data_coverage, 1);  // the hand has points everywhere
+}
+
 TEST(Sec623, AMapBesideTheDataIsRejectedByItsChamferDistance) {
   CorrespondenceSet aside = all_points();
   for (Correspondence& c : aside) c.data_point.position += Vec3(0.2 * shape().diagonal, 0, 0);

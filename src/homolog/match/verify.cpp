@@ -15,7 +15,21 @@ namespace {
 constexpr int lattice_cells = 32;    // along the model's longest side
 constexpr double covered_radii = 4;  // as far as the paper's descriptors look
 
-Match match_of(const CorrespondenceSet& set, const Shape& model) {
+// Share of a skin that lies as near to the matched points as their descriptors look.
+double covered_share(const std::vector<SurfaceSample>& skin, const std::vector<SalientPoint>& points) {
+  if (skin.empty()) return 0;
+  std::vector<InteriorSample> samples;
+  for (const SurfaceSample& sample : skin) samples.push_back({sample.position, 1});
+  return static_cast<double>(covered_samples(samples, points, covered_radii).size()) / static_cast<double>(samples.size());
+}
+
+std::vector<SalientPoint> points_of(const CorrespondenceSet& set, SalientPoint Correspondence::*side) {
+  std::vector<SalientPoint> points;
+  for (const Correspondence& c : set) points.push_back(c.*side);
+  return points;
+}
+
+Match match_of(const CorrespondenceSet& set, const Shape& model, const Shape& data) {
   std::vector<Vec3> sources, targets;
   for (const Correspondence& c : set) {
     sources.push_back(c.model_point.position);
@@ -32,6 +46,8 @@ Match match_of(const CorrespondenceSet& set, const Shape& model) {
   match.handedness = mirrored ? Handedness::mirrored : Handedness::proper;
   match.confidence = static_cast<double>(set.size()) / static_cast<double>(model.points.size());
   for (Correspondence& c : match.pairs) c.confidence = match.confidence;
+  match.model_coverage = covered_share(model.surface, points_of(set, &Correspondence::model_point));
+  match.data_coverage = covered_share(data.surface, points_of(set, &Correspondence::data_point));
   return match;
 }
 
@@ -51,8 +67,7 @@ void measure_chamfer(std::vector<Match>& matches, const Shape& model, const Shap
   const Volume<float> distance = distance_transform(data.interior);
   const std::vector<InteriorSample> samples = sample_interior(model.interior, lattice_cells);
   parallel_for(matches.size(), [&](std::size_t m) {
-    std::vector<SalientPoint> points;
-    for (const Correspondence& c : matches[m].pairs) points.push_back(c.model_point);
+    const std::vector<SalientPoint> points = points_of(matches[m].pairs, &Correspondence::model_point);
     matches[m].chamfer =
         chamfer_distance(covered_samples(samples, points, covered_radii), matches[m].data_from_model, distance, data.diagonal);
   });
@@ -63,7 +78,7 @@ std::vector<Match> verified_sets(const std::vector<CorrespondenceSet>& sets, con
   std::vector<Match> matches;
   for (const CorrespondenceSet& set : sets) {
     if (without_identity && is_identity(set)) continue;
-    Match match = match_of(set, model);
+    Match match = match_of(set, model, data);
     if (wanted(match, params)) matches.push_back(std::move(match));
   }
   measure_chamfer(matches, model, data);
