@@ -3,8 +3,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <ranges>
+#include <array>
+#include <csignal>
 #include <system_error>
 
 #include "homolog/base/errors.h"
@@ -13,37 +13,74 @@
 namespace homolog::cli {
 namespace fs = std::filesystem;
 
+namespace {
+
+/// While it lives, Ctrl-C and its like do not stop the program: the few milliseconds of writing end with all files or none.
+class Uninterrupted {
+ public:
+  Uninterrupted() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) before_[i] = std::signal(kSignals[i], SIG_IGN);
+  }
+  ~Uninterrupted() {
+    for (std::size_t i = 0; i < kSignals.size(); ++i) std::signal(kSignals[i], before_[i]);
+  }
+  Uninterrupted(const Uninterrupted&) = delete;
+  Uninterrupted& operator=(const Uninterrupted&) = delete;
+
+ private:
+  static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
+  std::array<void (*)(int), kSignals.size()> before_{};
+};
+
+/// Makes the folder and those above it; removes the ones it made, innermost first, unless it is told to keep them.
+class MadeFolders {
+ public:
+  explicit MadeFolders(const fs::path& path) {
+    std::error_code error;
+    for (fs::path folder = path; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path()) made_.push_back(folder);
+    fs::create_directories(path, error);
+    if (!error) return;
+    remove();
+    throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), error.message()));
+  }
+  ~MadeFolders() { remove(); }
+  MadeFolders(const MadeFolders&) = delete;
+  MadeFolders& operator=(const MadeFolders&) = delete;
+
+  void keep() { made_.clear(); }
+
+ private:
+  void remove() const {
+    std::error_code ignored;  // a folder with something in it stays
+    for (const fs::path& folder : made_) fs::remove(folder, ignored);
+  }
+
+  std::vector<fs::path> made_;  ///< innermost first
+};
+
+}  // namespace
+
 ResultFolder::ResultFolder(fs::path path) : path_(std::move(path)) {
   if (path_.empty()) return;
-  std::error_code error;
-  for (fs::path folder = path_; !folder.empty() && !fs::exists(folder, error); folder = folder.parent_path()) made_.push_back(folder);
-  std::ranges::reverse(made_);
-  fs::create_directories(path_, error);
-  if (error) {
-    remove_empty();
-    throw OutputError(fmt::format("cannot make the folder '{}': {}", path_.string(), error.message()));
-  }
+  const Uninterrupted uninterrupted;
+  const MadeFolders made(path_);
   const fs::path probe = path_ / ".homolog-writable";
   try {
     write_file(probe, "");
   } catch (const OutputError&) {
-    remove_empty();
     throw OutputError(fmt::format("cannot write into the folder '{}'", path_.string()));
   }
-  fs::remove(probe, error);
-}
-
-ResultFolder::~ResultFolder() { remove_empty(); }
-
-void ResultFolder::remove_empty() const {
-  std::error_code ignored;  // a folder with something in it stays
-  for (const fs::path& folder : made_ | std::views::reverse) fs::remove(folder, ignored);
+  std::error_code ignored;
+  fs::remove(probe, ignored);
 }
 
 void ResultFolder::write(const std::vector<std::pair<std::string, std::string>>& files) const {
   std::vector<OutputFile> outputs;
   for (const auto& [name, contents] : files) outputs.push_back({path_ / name, contents});
+  const Uninterrupted uninterrupted;
+  MadeFolders made(path_);
   write_files(outputs);
+  made.keep();
 }
 
 }  // namespace homolog::cli

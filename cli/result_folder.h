@@ -11,24 +11,18 @@ namespace homolog::cli {
 
 class ResultFolder {
  public:
-  /// Makes the folder if it is missing and tries to write there; an empty path means that no files are wanted. Throws OutputError.
+  /// Tries to make the folder and to write there, and leaves nothing of it, so that neither a failure nor Ctrl-C leaves an empty folder;
+  /// an empty path means that no files are wanted. Throws OutputError.
   explicit ResultFolder(std::filesystem::path path);
-  /// Takes away the folders it made if nothing was written into them.
-  ~ResultFolder();
-  ResultFolder(const ResultFolder&) = delete;
-  ResultFolder& operator=(const ResultFolder&) = delete;
 
   bool wanted() const { return !path_.empty(); }
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
 
-  /// Writes (name, contents) pairs, all or none. Throws OutputError.
+  /// Makes the folder and writes (name, contents) pairs, all or none. Throws OutputError.
   void write(const std::vector<std::pair<std::string, std::string>>& files) const;
 
  private:
-  void remove_empty() const;
-
   std::filesystem::path path_;
-  std::vector<std::filesystem::path> made_;  ///< outermost first
 };
 
 }  // namespace homolog::cli
