@@ -3,6 +3,7 @@
 # Standard library only.
 import csv
 import json
+import math
 import os
 import pty
 import resource
@@ -20,6 +21,14 @@ VERBS = ("match", "symmetry", "points", "params")
 COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
 MATCH_FILES = {"match.json", "parts.json", "model.part.ply", "data.part.ply", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
 POINT_FILES = {"points.json", "points.csv", "points.mrk.json", "report.html"}
+
+
+def warped(warp, x):
+    """f(x) = affine [x; 1] + sum_k weights_k phi(|x - centres_k|)"""
+    power = {"r": 1, "r3": 3}[warp["kernel"]]
+    phi = [math.dist(x, centre) ** power for centre in warp["centres"]]
+    straight = [sum(a * b for a, b in zip(row, (*x, 1))) for row in warp["affine"]]
+    return [f + sum(w[axis] * p for w, p in zip(warp["weights"], phi)) for axis, f in enumerate(straight)]
 
 
 class Program(unittest.TestCase):
@@ -96,7 +105,7 @@ class Usage(Program):
 
 class Failures(Program):
     def test_unusable_shapes(self):
-        for name in ("missing.off", "empty.off", "garbage.off", "truncated.off", "infinite.off", "flat.off"):
+        for name in ("missing.off", "empty.off", "garbage.off", "truncated.off", "infinite.off", "flat.off", "sheet.off", "huge.off"):
             with self.subTest(name):
                 self.expect_message(3, name, "points", name, "--out", "new/folder", *COARSE)
                 self.expect_message(3, name, "match", "plate.off", name, "--out", "new/folder", *COARSE)
@@ -160,7 +169,17 @@ class Results(Program):
         self.assertEqual(len(self.landmark_labels("model")), len(result["matches"][0]["pairs"]))
         self.assertEqual(self.landmark_labels("model"), self.landmark_labels("data"))
         self.assertNotIn(self.folder.name, "".join(self.read("out", name) for name in MATCH_FILES))
+        for match in result["matches"]:
+            self.warp_brings_pairs_together(match, result["model"], result["data"])
         self.same_bytes_from_two_threads_and_on_stdout()
+
+    def warp_brings_pairs_together(self, match, model, data):
+        """By what match.json alone tells, as another program would read it; each relation is one-to-one."""
+        for pair in match["pairs"]:
+            there = warped(match["warp"], model["points"][pair["model"]]["position"])
+            self.assertLess(math.dist(there, data["points"][pair["data"]]["position"]), 0.05 * data["diagonal"])
+        for side in ("model", "data"):
+            self.assertEqual(len({pair[side] for pair in match["pairs"]}), len(match["pairs"]))
 
     def same_bytes_from_two_threads_and_on_stdout(self):
         done = self.run_it("match", "bear.off", "bear_bis.off", "--threads", "2", "--json", "--out", "again", *COARSE)
