@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# What tests cannot see: format, who includes whom, length of files, machine paths, commands in the docs, clang-tidy.
+# What tests cannot see: format, who includes whom, length of files, machine paths, paper map, commands in the docs, clang-tidy.
 # Needs the release build (scripts/test.sh makes it) for the last two and says so when it is not there.
 #   scripts/check.sh          all of it
 #   scripts/check.sh --quick  without clang-tidy, in a second
@@ -61,6 +61,7 @@ fi
 check "include rules" scripts/check_includes.py
 check "file lengths" files_are_short
 check "no machine paths" no_machine_paths
+check "paper map" scripts/check_paper_map.py
 
 if [[ -x build/release/cli/homolog ]]; then
   check "commands in the docs" scripts/check_docs.py build/release/cli/homolog
