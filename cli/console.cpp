@@ -22,8 +22,12 @@ void print_result(std::string_view text) {
 
 void print_message(std::string_view sentence) { fmt::print(stderr, "homolog: {}\n", sentence); }
 
-Console::Console(bool quiet) : quiet_(quiet), progress_(!quiet && isatty(STDERR_FILENO)) {}
-Console::~Console() { clear(); }
+Console::Console(bool quiet, bool timing) : quiet_(quiet), timing_(timing), progress_(!quiet && isatty(STDERR_FILENO)) {}
+
+Console::~Console() {
+  clear();
+  if (timing_) fmt::print(stderr, "{}", timing_table(watch_.stages()));
+}
 
 void Console::stage(std::string_view text) {
   if (!progress_) return;

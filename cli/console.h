@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "homolog/base/stopwatch.h"
+
 namespace homolog::cli {
 
 /// Writes a result to stdout. Throws OutputError when that fails (a full disk, for example).
@@ -13,10 +15,10 @@ void print_result(std::string_view text);
 /// One line `homolog: sentence` on stderr.
 void print_message(std::string_view sentence);
 
-/// Progress and warnings; silent when quiet.
+/// Progress and warnings, silent when quiet; and what each stage took, told at the end when wanted.
 class Console {
  public:
-  explicit Console(bool quiet);
+  Console(bool quiet, bool timing);
   ~Console();
   Console(const Console&) = delete;
   Console& operator=(const Console&) = delete;
@@ -26,9 +28,11 @@ class Console {
   void warn(std::string_view sentence);
   /// Takes the progress line away; call before printing results.
   void clear();
+  Stopwatch& watch() { return watch_; }
 
  private:
-  bool quiet_, progress_, shown_ = false;
+  bool quiet_, timing_, progress_, shown_ = false;
+  Stopwatch watch_;
 };
 
 }  // namespace homolog::cli

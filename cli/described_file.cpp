@@ -13,9 +13,10 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
   const std::string name = std::filesystem::path(path).filename().string();
   console.stage(fmt::format("reading {}", name));
   DescribedFile file{read_mesh(path), {}};
+  console.watch().lap(fmt::format("reading {}", name), file.mesh.triangles.size(), "triangles");
   console.stage(fmt::format("describing {}", name));
   try {
-    file.shape = describe_shape(file.mesh, params, part);
+    file.shape = describe_shape(file.mesh, params, part, &console.watch());
   } catch (const ShapeError& error) {
     throw ShapeError(fmt::format("cannot use '{}': {}", path, error.what()));
   }

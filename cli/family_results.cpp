@@ -65,6 +65,7 @@ int deliver(const DescribedFile& model, const DescribedFile& data, const Family&
   console.stage("writing results");
   const std::string json = match_json(model.shape, data.shape, family, params);
   if (folder.wanted()) folder.write(result_files(model, data, family, params, json));
+  console.watch().lap("writing results", family.matches.size(), "matches");
   console.clear();
   std::string text = options.json ? json : family_table(family);
   if (folder.wanted() && !options.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());

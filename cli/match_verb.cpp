@@ -36,11 +36,11 @@ int run_match(const MatchOptions& options) {
   const Params params = params_of(options.common);
   const auto model_part = parse_part(options.model_part), data_part = parse_part(options.data_part);
   const ResultFolder folder(options.common.out);
-  Console console(options.common.quiet);
+  Console console(options.common.quiet, options.common.timing);
   const DescribedFile model = describe_file(options.model, model_part, params, console);
   const DescribedFile data = describe_file(options.data, data_part, params, console);
   console.stage("matching");
-  return deliver(model, data, match_shapes(model.shape, data.shape, params), params, options.common, folder, console);
+  return deliver(model, data, match_shapes(model.shape, data.shape, params, &console.watch()), params, options.common, folder, console);
 }
 
 }  // namespace

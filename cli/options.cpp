@@ -44,6 +44,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_option("--out", options.out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
   verb.add_flag("--json", options.json, "Print the result as JSON instead of a table.");
   verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
+  verb.add_flag("--timing", options.timing, "Tell on stderr what each stage took and held.");
   verb.add_option("--threads", options.threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
   add_preset_option(verb, options.parameters);
   for (const ParameterInfo& info : parameter_table()) {

@@ -19,7 +19,7 @@ struct CommonOptions {
   ParameterOptions parameters;
   std::string threads = "0";
   std::string out;
-  bool json = false, quiet = false;
+  bool json = false, quiet = false, timing = false;
 };
 
 /// --preset alone, and with one flag per parameter.

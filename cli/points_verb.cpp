@@ -43,7 +43,7 @@ int run_points(const PointsOptions& options) {
   const Params params = params_of(options.common);
   const auto part = parse_part(options.part);
   const ResultFolder folder(options.common.out);
-  Console console(options.common.quiet);
+  Console console(options.common.quiet, options.common.timing);
   const DescribedFile file = describe_file(options.shape, part, params, console);
 
   console.stage("writing results");
@@ -55,6 +55,7 @@ int run_points(const PointsOptions& options) {
                   {"points.mrk.json", landmarks_markups(landmarks)},
                   {"report.html", points_report(file.meshed(), params)}});
   }
+  console.watch().lap("writing results", landmarks.size(), "points");
   console.clear();
   std::string text = options.common.json ? json : points_table(landmarks);
   if (folder.wanted() && !options.common.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());

@@ -27,10 +27,10 @@ int match_with_itself(const std::string& path, const std::string& part, const Co
   const Params params = params_of(options);
   const auto box = parse_part(part);
   const ResultFolder folder(options.out);
-  Console console(options.quiet);
+  Console console(options.quiet, options.timing);
   const DescribedFile file = describe_file(path, box, params, console);
   console.stage("matching");
-  return deliver(file, file, find_symmetries(file.shape, params), params, options, folder, console);
+  return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console);
 }
 
 Verb add_symmetry(CLI::App& program) {

@@ -35,14 +35,19 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirali
 }
 
 // Pairs as seeds, growth under the set's own spline, refinement as a cloth.
-Family match_by_pairs(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
+Family match_by_pairs(const Shape& model, const Shape& data, const Params& params, bool without_identity, Stopwatch* watch) {
   const CorrespondenceSet candidates = find_candidates(model, data, params);  // Sec. 6.2.1
+  lap(watch, "candidates", candidates.size(), "candidates");
   const std::vector<Seed> seeds = find_seeds(candidates, model, data);
+  lap(watch, "seeds", seeds.size(), "seeds");
   std::vector<GrownSet> sets = grow_all(seeds, Chirality::proper, candidates, model, data, params);
   const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
   sets.insert(sets.end(), mirrored.begin(), mirrored.end());
+  lap(watch, "growth", sets.size(), "grown sets");
   Family family{make_family(sets, model, data, params, without_identity), {}};  // Sec. 6.2.3
-  measure_chamfer(family.matches, model, data);                                 // eq. 9
+  lap(watch, "refinement, evidence", family.matches.size(), "matches");
+  measure_chamfer(family.matches, model, data);  // eq. 9
+  lap(watch, "chamfer", family.matches.size(), "matches");
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
                           {"seeds", static_cast<long>(seeds.size())},
                           {"grown sets", static_cast<long>(sets.size())}};
@@ -50,21 +55,24 @@ Family match_by_pairs(const Shape& model, const Shape& data, const Params& param
 }
 
 // The paper's way, to the letter where its equations allow.
-Family match_by_quadruples(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
-  const CorrespondenceSet candidates = find_candidates(model, data, params);            // eq. 7
-  const GrownSets grown = grow_quadruples(candidates, model.diagonal, params.paper);    // App. A, B, Sec. 6.2.2
+Family match_by_quadruples(const Shape& model, const Shape& data, const Params& params, bool without_identity, Stopwatch* watch) {
+  const CorrespondenceSet candidates = find_candidates(model, data, params);  // eq. 7
+  lap(watch, "candidates", candidates.size(), "candidates");
+  const GrownSets grown = grow_quadruples(candidates, model.diagonal, params.paper);  // App. A, B, Sec. 6.2.2
+  lap(watch, "growth", grown.sets.size(), "grown sets");
   Family family{verified_sets(grown.sets, model, data, params, without_identity), {}};  // eq. 8, Sec. 6.2.3
+  lap(watch, "verification", family.matches.size(), "matches");
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
                           {"quadruples", grown.quadruples},
                           {"grown sets", static_cast<long>(grown.sets.size())}};
   return family;
 }
 
-Family match_described(const Shape& model, const Shape& data, const Params& params, bool without_identity) {
+Family match_described(const Shape& model, const Shape& data, const Params& params, bool without_identity, Stopwatch* watch) {
   check(params);
   const ThreadLimit limit(params.threads);
   const bool by_pairs = params.match.seeds == Seeds::pairs;
-  Family family = (by_pairs ? match_by_pairs : match_by_quadruples)(model, data, params, without_identity);
+  Family family = (by_pairs ? match_by_pairs : match_by_quadruples)(model, data, params, without_identity, watch);
   auto& stages = family.counts.stages;
   stages.insert(stages.begin(), {"data points", static_cast<long>(data.points.size())});
   stages.insert(stages.begin(), {"model points", static_cast<long>(model.points.size())});
@@ -74,7 +82,7 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
 
 }  // namespace
 
-Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part) {
+Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   check(params);
   const ThreadLimit limit(params.threads);
   Shape shape;
@@ -83,23 +91,33 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   shape.guessed = voxels.guessed;
   const auto& frame = shape.interior.frame;
   shape.diagonal = frame.spacing * Vec3(frame.size[0] - 2, frame.size[1] - 2, frame.size[2] - 2).norm();
+  lap(watch, "voxels", frame.voxels(), "voxels");
   shape.points = find_salient_points(shape.interior, params.salient);  // Sec. 4.3
+  lap(watch, "salient points", shape.points.size(), "points");
   shape.surface = sample_surface(shape.interior, surface_samples);
+  lap(watch, "surface samples", shape.surface.size(), "samples");
   if (part) {
     const Box whole = bounding_box(mesh);
     const Vec3 extent = whole.max - whole.min;
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
   }
-  find_directions(shape.interior, params.salient, shape.points);                             // eq. 2, 3
+  find_directions(shape.interior, params.salient, shape.points);  // eq. 2, 3
+  lap(watch, "directions", shape.points.size(), "points");
   shape.descriptors = compute_descriptors(shape.interior, shape.points, params.descriptor);  // Sec. 5.2
+  lap(watch, "descriptors", shape.points.size(), "points");
   shape.body = build_body(shape.interior, shape.surface, body_samples, shape.points);
   shape.inner_distance = inner_distances(shape.body, shape.interior);
+  lap(watch, "body", shape.body.nodes.size(), "nodes");
   return shape;
 }
 
-Family match_shapes(const Shape& model, const Shape& data, const Params& params) { return match_described(model, data, params, false); }
+Family match_shapes(const Shape& model, const Shape& data, const Params& params, Stopwatch* watch) {
+  return match_described(model, data, params, false, watch);
+}
 
-Family find_symmetries(const Shape& shape, const Params& params) { return match_described(shape, shape, params, true); }
+Family find_symmetries(const Shape& shape, const Params& params, Stopwatch* watch) {
+  return match_described(shape, shape, params, true, watch);
+}
 
 }  // namespace homolog

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The whole way: a mesh becomes a Shape, two Shapes a Family of matches. Every stage can be called alone by its own header.
+// A stopwatch, where one is given, gets a lap per stage.
 #pragma once
 
 #include <functional>
@@ -8,6 +9,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/base/parameters.h"
+#include "homolog/base/stopwatch.h"
 #include "homolog/describe/shape.h"
 #include "homolog/match/match.h"
 #include "homolog/shape/mesh.h"
@@ -16,12 +18,12 @@ namespace homolog {
 
 /// Voxels, salient points and descriptors of a solid (Sec. 4 and 5). `part` limits it to a box given in shares of the mesh's
 /// bounding box (0 to 1 per axis). Throws ShapeError when there is no inside, ParamError for values out of range.
-Shape describe_shape(const Mesh& mesh, const Params& params = {}, const std::optional<Box>& part = {});
+Shape describe_shape(const Mesh& mesh, const Params& params = {}, const std::optional<Box>& part = {}, Stopwatch* watch = nullptr);
 
 /// Every place where the model, or a part of it, occurs in the data (Sec. 6), best first.
-Family match_shapes(const Shape& model, const Shape& data, const Params& params = {});
+Family match_shapes(const Shape& model, const Shape& data, const Params& params = {}, Stopwatch* watch = nullptr);
 
 /// A shape against itself: its symmetries and repeated parts, the identity left out.
-Family find_symmetries(const Shape& shape, const Params& params = {});
+Family find_symmetries(const Shape& shape, const Params& params = {}, Stopwatch* watch = nullptr);
 
 }  // namespace homolog

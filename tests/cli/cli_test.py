@@ -243,6 +243,16 @@ class Results(Program):
         self.assertEqual((parameters["resolution"], parameters["seeds"]), (48, "quadruples"))
         self.assertEqual(first.stdout, last.stdout)
 
+    def test_timing_is_a_table_on_stderr(self):
+        for words, stages in (
+            (("points", "bear.off"), ("reading bear.off", "voxels", "salient points", "descriptors", "body", "writing results", "all")),
+            (("match", "bear.off", "bear_bis.off"), ("reading bear_bis.off", "seeds", "growth", "chamfer", "writing results", "all")),
+        ):
+            plain, timed = self.run_it(*words, *COARSE), self.run_it(*words, "--timing", "--quiet", *COARSE)
+            self.assertEqual(timed.stdout, plain.stdout)
+            for stage in stages:
+                self.assertRegex(timed.stderr, rf"(?m)^{stage} +[0-9.]+ +[0-9.]+ +[0-9.]+")
+
     def test_open_mesh_is_told_unless_quiet(self):
         done = self.run_it("points", "open.off", *COARSE)
         self.assertEqual(done.returncode, 0, done.stderr)
