@@ -2,50 +2,84 @@
 #include "homolog/describe/surface_samples.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "homolog/base/parallel.h"
+#include "homolog/describe/farthest_points.h"
 
 namespace homolog {
 namespace {
 
 constexpr std::size_t crowd = 16000;  // farthest-point sampling looks at no more surface voxels than this
 
-bool on_surface(const Interior& interior, int i, int j, int k) {
-  if (interior.at(i, j, k) < 0.5f) return false;
-  const int steps[6][3] = {{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}};
-  return std::any_of(std::begin(steps), std::end(steps), [&](const int* s) {
-    const int a = i + s[0], b = j + s[1], c = k + s[2];
-    return !interior.frame.contains(a, b, c) || interior.at(a, b, c) < 0.5f;
-  });
-}
-
 // Multiplicative hashing spreads the choice over the grid without a random generator.
 std::uint32_t scattered(std::size_t index) { return static_cast<std::uint32_t>(index) * 2654435761u; }
 
-std::vector<Vec3> surface_voxels(const Interior& interior) {
-  std::vector<std::pair<std::uint32_t, Vec3>> all;
-  const auto& size = interior.frame.size;
-  for (int k = 0; k < size[2]; ++k) {
-    for (int j = 0; j < size[1]; ++j) {
-      for (int i = 0; i < size[0]; ++i) {
-        if (on_surface(interior, i, j, k)) all.emplace_back(scattered(interior.frame.index(i, j, k)), Vec3(i, j, k));
-      }
+// Voxels of row (j, k) that are inside and have a neighbour that is not, or none.
+template <class Visit>
+void visit_surface_of_row(const Interior& interior, int j, int k, const Visit& visit) {
+  const auto& [nx, ny, nz] = interior.frame.size;
+  const bool on_border = j == 0 || k == 0 || j + 1 == ny || k + 1 == nz;
+  const float* row = &interior.at(0, j, k);
+  const std::ptrdiff_t y = nx, z = y * ny;
+  for (int i = 0; i < nx; ++i) {
+    if (row[i] < 0.5f) continue;
+    const float* v = row + i;
+    if (on_border || i == 0 || i + 1 == nx || v[-1] < 0.5f || v[1] < 0.5f || v[-y] < 0.5f || v[y] < 0.5f || v[-z] < 0.5f || v[z] < 0.5f) {
+      visit(i);
     }
   }
-  const auto by_hash = [](const auto& a, const auto& b) { return a.first < b.first; };
-  std::sort(all.begin(), all.end(), by_hash);
-  std::vector<Vec3> chosen;
-  for (std::size_t n = 0; n < std::min(crowd, all.size()); ++n) chosen.push_back(all[n].second);
-  return chosen;
 }
+
+std::vector<Eigen::Vector3f> surface_voxels(const Interior& interior) {
+  struct Voxel {
+    std::uint32_t hash;
+    int i, j, k;
+    bool operator<(const Voxel& other) const { return hash < other.hash; }
+  };
+  std::vector<Voxel> all;
+  for (int k = 0; k < interior.frame.size[2]; ++k) {
+    for (int j = 0; j < interior.frame.size[1]; ++j) {
+      visit_surface_of_row(interior, j, k, [&](int i) { all.push_back({scattered(interior.frame.index(i, j, k)), i, j, k}); });
+    }
+  }
+  const std::size_t chosen = std::min(crowd, all.size());
+  std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(chosen), all.end());
+  std::vector<Eigen::Vector3f> voxels;
+  for (std::size_t n = 0; n < chosen; ++n) voxels.emplace_back(all[n].i, all[n].j, all[n].k);
+  return voxels;
+}
+
+// The voxel farthest from the middle of all.
+std::size_t outermost(const std::vector<Eigen::Vector3f>& voxels) {
+  Eigen::Vector3f middle = Eigen::Vector3f::Zero();
+  for (const Eigen::Vector3f& voxel : voxels) middle += voxel;
+  middle /= static_cast<float>(voxels.size());
+  const auto farther = [&](const auto& a, const auto& b) { return (a - middle).squaredNorm() < (b - middle).squaredNorm(); };
+  return static_cast<std::size_t>(std::max_element(voxels.begin(), voxels.end(), farther) - voxels.begin());
+}
+
+// Weights of a Gaussian of one voxel at 5 x 5 x 5 voxels around a place.
+struct GradientStencil {
+  std::array<Vec3, 125> offsets;
+  std::array<double, 125> weights;
+  GradientStencil() {
+    for (int n = 0; n < 125; ++n) {
+      offsets[n] = Vec3(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
+      weights[n] = std::exp(-0.5 * offsets[n].squaredNorm());
+    }
+  }
+};
 
 // Gradient of the coverage blurred by one voxel: differences along the axes alone saturate and lean towards the grid's diagonals.
 Vec3 blurred_gradient(const Interior& interior, const Vec3& voxel_centre) {
+  static const GradientStencil stencil;
   Vec3 gradient = Vec3::Zero();
   for (int n = 0; n < 125; ++n) {
-    const Vec3 offset(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
-    gradient += std::exp(-0.5 * offset.squaredNorm()) * sample(interior, voxel_centre + interior.frame.spacing * offset) * offset;
+    const Vec3& offset = stencil.offsets[n];
+    gradient += stencil.weights[n] * sample(interior, voxel_centre + interior.frame.spacing * offset) * offset;
   }
   return gradient;
 }
@@ -61,30 +95,27 @@ SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
   return {place, normal};
 }
 
-// Squared distances to the nearest chosen voxel, brought up to date; returns the farthest voxel.
-Eigen::Index choose_next(const Eigen::MatrixX3f& voxels, Eigen::Index chosen, Eigen::ArrayXf& distance) {
-  distance = distance.min((voxels.rowwise() - voxels.row(chosen)).rowwise().squaredNorm().array());
-  Eigen::Index farthest = 0;
-  distance.maxCoeff(&farthest);
-  return farthest;
-}
-
 }  // namespace
 
 std::vector<SurfaceSample> sample_surface(const Interior& interior, int count) {
-  const std::vector<Vec3> places = surface_voxels(interior);
+  const std::vector<Eigen::Vector3f> voxels = surface_voxels(interior);
   std::vector<SurfaceSample> samples;
-  if (places.empty()) return samples;
-  Eigen::MatrixX3f voxels(places.size(), 3);  // in voxels, where single precision is exact
-  for (std::size_t i = 0; i < places.size(); ++i) voxels.row(i) = places[i].cast<float>();
-  Eigen::Index next = 0;
-  (voxels.rowwise() - voxels.colwise().mean()).rowwise().squaredNorm().maxCoeff(&next);
-  Eigen::ArrayXf distance = Eigen::ArrayXf::Constant(voxels.rows(), std::numeric_limits<float>::infinity());
-  for (std::size_t tries = 0; tries < places.size() && static_cast<int>(samples.size()) < count; ++tries) {
-    const SurfaceSample settled = settle(interior, interior.frame.world_from_voxel(places[next]));
-    if (settled.normal.squaredNorm() > 0.5) samples.push_back(settled);
-    next = choose_next(voxels, next, distance);
-    if (distance[next] <= 0) break;
+  if (voxels.empty()) return samples;
+  FarthestPoints order(voxels);
+  FarthestPoint next{outermost(voxels), 1};
+  while (static_cast<int>(samples.size()) < count && next.squared_distance > 0) {
+    std::vector<std::size_t> batch;  // as many as are missing, to be settled side by side; few do not settle
+    while (batch.size() + samples.size() < static_cast<std::size_t>(count) && next.squared_distance > 0) {
+      batch.push_back(next.number);
+      order.choose(next.number);
+      next = order.farthest();
+    }
+    std::vector<SurfaceSample> settled(batch.size());
+    parallel_for(batch.size(),
+                 [&](std::size_t n) { settled[n] = settle(interior, interior.frame.world_from_voxel(voxels[batch[n]].cast<double>())); });
+    for (const SurfaceSample& sample : settled) {
+      if (sample.normal.squaredNorm() > 0.5) samples.push_back(sample);
+    }
   }
   return samples;
 }

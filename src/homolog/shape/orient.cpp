@@ -31,17 +31,26 @@ struct Component {
   bool turned = false;  // to be turned as a whole
 };
 
+/// By edge, then by triangle. The lower vertex is sorted by counting, which leaves a handful of sides at a time to compare.
 std::vector<Side> sorted_sides(const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& vertex) {
-  std::vector<Side> sides;
-  sides.reserve(3 * triangles.size());
+  const auto lower_end = [&](const Triangle& t, int k) { return std::min(vertex[t[k]], vertex[t[(k + 1) % 3]]); };
+  std::vector<std::uint32_t> begin(vertex.size() + 1, 0);
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) ++begin[lower_end(t, k) + 1];
+  }
+  for (std::size_t v = 0; v < vertex.size(); ++v) begin[v + 1] += begin[v];
+  std::vector<Side> sides(3 * triangles.size());
+  std::vector<std::uint32_t> next(begin.begin(), begin.end() - 1);
   for (std::uint32_t t = 0; t < triangles.size(); ++t) {
     for (int k = 0; k < 3; ++k) {
       const std::uint64_t a = vertex[triangles[t][k]], b = vertex[triangles[t][(k + 1) % 3]];
-      sides.push_back({std::min(a, b) << 32 | std::max(a, b), t, a < b});
+      sides[next[std::min(a, b)]++] = {std::min(a, b) << 32 | std::max(a, b), t, a < b};
     }
   }
-  std::sort(sides.begin(), sides.end(),
-            [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.triangle < b.triangle; });
+  for (std::size_t v = 0; v < vertex.size(); ++v) {
+    std::sort(sides.begin() + begin[v], sides.begin() + begin[v + 1],
+              [](const Side& a, const Side& b) { return a.key != b.key ? a.key < b.key : a.triangle < b.triangle; });
+  }
   return sides;
 }
 
@@ -167,11 +176,17 @@ void turn_components(std::vector<Component>& components, std::vector<Triangle>& 
   }
 }
 
-bool is_closed(const std::vector<Side>& sides) {
+/// Whether every edge is passed as often in one direction as in the other, after the triangles have been turned.
+bool is_closed(const std::vector<Side>& sides, const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& vertex) {
+  const auto passes_forward = [&](const Side& side) {
+    const auto& [a, b, c] = triangles[side.triangle];
+    const std::uint64_t u = vertex[a], v = vertex[b], w = vertex[c];
+    return side.key == (u << 32 | v) || side.key == (v << 32 | w) || side.key == (w << 32 | u);
+  };
   bool closed = true;
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     int sum = 0;
-    for (std::size_t i = first; i < last; ++i) sum += sides[i].forward ? 1 : -1;
+    for (std::size_t i = first; i < last; ++i) sum += passes_forward(sides[i]) ? 1 : -1;
     closed = closed && sum == 0;
   });
   return closed;
@@ -185,11 +200,12 @@ OrientedSurface orient(const Mesh& mesh) {
   for (const Triangle& t : mesh.triangles) {
     if (vertex[t[0]] != vertex[t[1]] && vertex[t[1]] != vertex[t[2]] && vertex[t[2]] != vertex[t[0]]) surface.triangles.push_back(t);
   }
-  const auto neighbours = find_neighbours(sorted_sides(surface.triangles, vertex), surface.triangles.size());
+  const std::vector<Side> sides = sorted_sides(surface.triangles, vertex);
+  const auto neighbours = find_neighbours(sides, surface.triangles.size());
   std::vector<Component> components = flood(surface.triangles, neighbours, mesh);
   for (Component& component : components) measure(component, surface.triangles, mesh);
   turn_components(components, surface.triangles, mesh);
-  surface.closed = is_closed(sorted_sides(surface.triangles, vertex));
+  surface.closed = is_closed(sides, surface.triangles, vertex);
   return surface;
 }
 

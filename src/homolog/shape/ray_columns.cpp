@@ -21,7 +21,7 @@ struct Crossing {
   double depth;
 };
 
-/// The triangles that may cross each row of voxels: those of row j are numbers[begin[j]] to numbers[begin[j + 1]].
+/// The triangles that may cross each row of rays: those of row r are numbers[begin[r]] to numbers[begin[r + 1]].
 struct RowBins {
   std::vector<std::uint32_t> begin, numbers;
 };
@@ -51,10 +51,10 @@ Places place_rays(int voxels, double part_min, double part_max) {
 }
 
 RowBins bin_rows(const GridSurface& surface, int row_axis) {
-  const int rows = surface.size[row_axis];
+  const int rows = surface.size[row_axis] * rays_per_voxel;
   const auto range = [&](const std::array<std::uint32_t, 3>& t, int& first, int& last) {
     const double a = surface.vertices[t[0]][row_axis], b = surface.vertices[t[1]][row_axis], c = surface.vertices[t[2]][row_axis];
-    const double low = std::min({a, b, c}), high = std::max({a, b, c});
+    const double low = std::min({a, b, c}) * rays_per_voxel, high = std::max({a, b, c}) * rays_per_voxel;
     first = static_cast<int>(std::clamp(std::floor(low), 0.0, static_cast<double>(rows)));
     last = static_cast<int>(std::clamp(std::floor(high), -1.0, rows - 1.0));
   };
@@ -173,11 +173,11 @@ void add_ray_coverage(const GridSurface& surface, int axis, AxisCoverage& covera
   parallel_for(surface.size[axes.row], [&](std::size_t number) {
     Row row{surface, axes, columns, {}, {}, {}, {}, 1, column_count, std::vector<std::uint8_t>(column_count, 0)};
     row.differences.assign(column_count * depth_count, 0);
-    const std::uint32_t *first = bins.numbers.data() + bins.begin[number], *last = bins.numbers.data() + bins.begin[number + 1];
-    if (first == last) return;
-    for (std::size_t r = number * rays_per_voxel; r < (number + 1) * rays_per_voxel; ++r) {
+    const std::size_t first_row = number * rays_per_voxel, end_row = first_row + rays_per_voxel;
+    if (bins.begin[first_row] == bins.begin[end_row]) return;
+    for (std::size_t r = first_row; r < end_row; ++r) {
       if (rows.width[r] == 0) continue;
-      find_crossings(row, first, last, rows.middle[r]);
+      find_crossings(row, bins.numbers.data() + bins.begin[r], bins.numbers.data() + bins.begin[r + 1], rows.middle[r]);
       sort_crossings(row);
       for (std::size_t ray = 0; ray < columns.middle.size(); ++ray) {
         const auto weight = static_cast<std::int32_t>(std::lround(65536 * rows.width[r] * columns.width[ray]));

@@ -12,11 +12,21 @@ float sample(const Volume<float>& volume, const Vec3& world) {
   }
   const int i = static_cast<int>(std::floor(v.x())), j = static_cast<int>(std::floor(v.y())), k = static_cast<int>(std::floor(v.z()));
   const double fx = v.x() - i, fy = v.y() - j, fz = v.z() - k;
+  const double x[2] = {1 - fx, fx}, y[2] = {1 - fy, fy}, z[2] = {1 - fz, fz};
   double sum = 0;
+  if (volume.frame.contains(i, j, k) && volume.frame.contains(i + 1, j + 1, k + 1)) {
+    const std::size_t step_y = volume.frame.size[0], step_z = step_y * volume.frame.size[1];
+    const float* f = &volume.at(i, j, k);
+    for (int corner = 0; corner < 8; ++corner) {
+      const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
+      sum += x[dx] * y[dy] * z[dz] * f[dx + dy * step_y + dz * step_z];
+    }
+    return static_cast<float>(sum);
+  }
   for (int corner = 0; corner < 8; ++corner) {
     const int dx = corner & 1, dy = corner >> 1 & 1, dz = corner >> 2;
     if (!volume.frame.contains(i + dx, j + dy, k + dz)) continue;
-    sum += (dx ? fx : 1 - fx) * (dy ? fy : 1 - fy) * (dz ? fz : 1 - fz) * volume.at(i + dx, j + dy, k + dz);
+    sum += x[dx] * y[dy] * z[dz] * volume.at(i + dx, j + dy, k + dz);
   }
   return static_cast<float>(sum);
 }
