@@ -4,7 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numeric>
 #include <random>
 
@@ -28,6 +30,32 @@ Volume<float> noise(int nx, int ny, int nz) {
     }
   }
   return volume;
+}
+
+// A whole volume through the rolling blur, `chunk` slices at a time.
+Volume<float> gaussian_blur(const Volume<float>& volume, double sigma, int chunk = 4) {
+  const auto& [nx, ny, nz] = volume.frame.size;
+  RollingVolume in(volume.frame, nz), out(volume.frame, nz);
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      const auto nonzero = [](float value) { return value != 0; };
+      const float *row = &volume.at(0, j, k), *low = std::find_if(row, row + nx, nonzero);
+      const float* high = std::find_if(std::reverse_iterator(row + nx), std::reverse_iterator(low), nonzero).base();
+      std::copy(low, high, in.begin_row(j, k, {static_cast<int>(low - row), static_cast<int>(high - row)}) + (low - row));
+    }
+  }
+  RollingBlur blur(volume.frame, sigma, chunk);
+  for (int made = 0; made < nz;) {
+    blur.take(in, std::min(nz, blur.taken() + chunk));
+    const int end = std::min(blur.ready(), made + chunk);
+    blur.give(made, end, out, [](int, int) {});
+    made = end;
+  }
+  Volume<float> blurred = empty_volume(nx, ny, nz);
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) std::copy(out.row(j, k), out.row(j, k) + nx, &blurred.at(0, j, k));
+  }
+  return blurred;
 }
 
 double plain_blur_at(const Volume<float>& volume, const std::vector<float>& weights, int x, int y, int z) {
@@ -76,13 +104,15 @@ TEST(GaussianBlur, VariancesAdd) {
   EXPECT_NEAR(once.at(20, 20, 20) * std::pow(2 * M_PI * 6.25, 1.5), 1, 5e-3);
 }
 
-TEST(GaussianBlur, BytesDoNotDependOnThreads) {
+TEST(GaussianBlur, BytesDoNotDependOnThreadsOrChunks) {
   const Volume<float> volume = noise(90, 50, 40);
-  const auto blurred_by = [&](int threads) {
+  const auto blurred_by = [&](int threads, int chunk) {
     const ThreadLimit limit(threads);
-    return gaussian_blur(volume, 2.1).values;
+    return gaussian_blur(volume, 2.1, chunk).values;
   };
-  EXPECT_EQ(blurred_by(1), blurred_by(2));
+  const std::vector<float> expected = blurred_by(1, 8);
+  EXPECT_EQ(blurred_by(2, 8), expected);
+  for (const int chunk : {1, 3, 40}) EXPECT_EQ(blurred_by(2, chunk), expected) << chunk;
 }
 
 }  // namespace

@@ -5,9 +5,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <vector>
 
 #include "fixtures/solids.h"
+#include "homolog/salient/gaussian_blur.h"
 
 namespace homolog {
 namespace {
@@ -16,25 +19,106 @@ using namespace fixtures;
 
 GridFrame unit_grid(int x, int y, int z) { return {{2 * x + 1, 2 * y + 1, 2 * z + 1}, Vec3(-x, -y, -z), 1}; }
 
+// Calls visit(level, i, j, k, value) for every voxel of every level of an octave's new slices.
+template <class Visit>
+void visit_new_voxels(const Octave& octave, const Visit& visit) {
+  for (std::size_t level = 0; level < octave.levels.size(); ++level) {
+    for (int k = octave.first; k < octave.end; ++k) {
+      for (int j = 0; j < octave.frame().size[1]; ++j) {
+        for (int i = 0; i < octave.frame().size[0]; ++i) visit(level, i, j, k, octave.levels[level].row(j, k)[i]);
+      }
+    }
+  }
+}
+
+// The octaves as whole volumes, level by level.
+std::vector<std::vector<Volume<float>>> whole_octaves(const Interior& interior, int reach = 0) {
+  std::vector<std::vector<Volume<float>>> octaves;
+  for_each_octave(interior, {}, reach, [&](const Octave& octave) {
+    if (octave.first == 0) {
+      const Volume<float> empty{octave.frame(), std::vector<float>(octave.frame().voxels())};
+      octaves.emplace_back(octave.levels.size(), empty);
+    }
+    visit_new_voxels(octave, [&](std::size_t level, int i, int j, int k, float value) { octaves.back()[level].at(i, j, k) = value; });
+  });
+  return octaves;
+}
+
 // The strongest response within `reach` of the origin, over the levels of the first octave.
 double strongest_near_origin(const Solid& solid, const GridFrame& frame, double reach) {
   double strongest = 0;
-  bool first = true;
-  for_each_octave(rasterize(solid, frame), {}, [&](const Octave& octave) {
-    for (const Volume<float>& level : octave.levels) {
-      if (!first) break;
-      const GridFrame& f = level.frame;
-      for (int k = 0; k < f.size[2]; ++k) {
-        for (int j = 0; j < f.size[1]; ++j) {
-          for (int i = 0; i < f.size[0]; ++i) {
-            if (f.world_from_voxel(Vec3(i, j, k)).cwiseAbs().maxCoeff() < reach) strongest = std::max<double>(strongest, level.at(i, j, k));
-          }
+  const auto octaves = whole_octaves(rasterize(solid, frame));
+  for (const Volume<float>& level : octaves[0]) {
+    const GridFrame& f = level.frame;
+    for (int k = 0; k < f.size[2]; ++k) {
+      for (int j = 0; j < f.size[1]; ++j) {
+        for (int i = 0; i < f.size[0]; ++i) {
+          if (f.world_from_voxel(Vec3(i, j, k)).cwiseAbs().maxCoeff() < reach) strongest = std::max<double>(strongest, level.at(i, j, k));
         }
       }
     }
-    first = false;
-  });
+  }
   return strongest;
+}
+
+// Blurred by the plain sum along one axis, zero outside.
+Volume<float> plainly_blurred(const Volume<float>& volume, const std::vector<float>& weights, int axis) {
+  Volume<float> blurred = volume;
+  const int radius = static_cast<int>(weights.size()) - 1;
+  const auto& [nx, ny, nz] = volume.frame.size;
+  const auto value = [&](std::array<int, 3> v, int t) {
+    v[axis] += t;
+    return volume.frame.contains(v[0], v[1], v[2]) ? volume.at(v[0], v[1], v[2]) : 0.0f;
+  };
+  for (int k = 0; k < nz; ++k) {
+    for (int j = 0; j < ny; ++j) {
+      for (int i = 0; i < nx; ++i) {
+        float sum = weights[0] * value({i, j, k}, 0);
+        for (int t = 1; t <= radius; ++t) sum += weights[t] * (value({i, j, k}, -t) + value({i, j, k}, t));
+        blurred.at(i, j, k) = sum;
+      }
+    }
+  }
+  return blurred;
+}
+
+Volume<float> plainly_blurred(Volume<float> volume, double sigma) {
+  for (int axis = 0; axis < 3; ++axis) volume = plainly_blurred(volume, gaussian_kernel(sigma), axis);
+  return volume;
+}
+
+// The fast way gives the bytes of the plain one: whole volumes, one level after the other, three loops each.
+TEST(ScaleSpace, GrowingOctavesEqualPlainOnesBitByBit) {
+  const Interior interior = rasterize(join({ball({-9, 2, 1}, 5), ball({9, -3, 0}, 3)}), unit_grid(15, 9, 7));
+  const SalientParams params;
+  const double k = std::cbrt(2);
+  for (const int reach : {0, 3}) {
+    const auto octaves = whole_octaves(interior, reach);
+    ASSERT_GE(octaves.size(), 2u);
+    Volume<float> fine;  // G(s_0) of the octave
+    fine.frame = octaves[0][0].frame;
+    fine.values.assign(fine.frame.voxels(), 0);
+    const Vec3 shift = interior.frame.voxel_from_world(fine.frame.origin);
+    const std::array<int, 3> first{static_cast<int>(std::lround(shift[0])), static_cast<int>(std::lround(shift[1])),
+                                   static_cast<int>(std::lround(shift[2]))};
+    for (int z = 0; z < interior.frame.size[2]; ++z) {
+      for (int y = 0; y < interior.frame.size[1]; ++y) {
+        for (int x = 0; x < interior.frame.size[0]; ++x) {
+          const std::array<int, 3> v{x - first[0], y - first[1], z - first[2]};
+          if (fine.frame.contains(v[0], v[1], v[2])) fine.at(v[0], v[1], v[2]) = interior.at(x, y, z);
+        }
+      }
+    }
+    fine = plainly_blurred(fine, std::sqrt(params.sigma0 * params.sigma0 - 1.0 / 12));
+    for (std::size_t level = 0; level < octaves[0].size(); ++level) {
+      const Volume<float> coarse = plainly_blurred(fine, params.sigma0 * std::pow(k, level) * std::sqrt(k * k - 1));
+      const auto factor = static_cast<float>(-1 / (std::log(k) * ball_response(k)));
+      for (std::size_t v = 0; v < fine.values.size(); ++v) {
+        ASSERT_EQ(octaves[0][level].values[v], factor * (fine.values[v] - coarse.values[v])) << level;
+      }
+      fine = coarse;
+    }
+  }
 }
 
 TEST(ScaleSpace, BallFormulasHaveThePapersLimits) {
@@ -54,34 +138,58 @@ TEST(ScaleSpace, ResponseTellsPlaneSlabCylinderBall) {
 
 // The same grid centre must have the same scale-normalised value in either octave, however the margins were laid.
 TEST(ScaleSpace, OctavesAgreeWhereTheyOverlap) {
-  Volume<float> upper;
-  bool first = true;
-  for_each_octave(rasterize(hand(), 80), {}, [&](const Octave& octave) {
-    if (!first && !upper.values.empty()) {
-      double worst = 0;
-      const GridFrame& f = octave.levels[0].frame;
-      EXPECT_NEAR(octave.sigmas[0] * std::cbrt(2), octave.sigmas[1], 1e-12);
-      for (int k = 0; k < f.size[2]; ++k) {
-        for (int j = 0; j < f.size[1]; ++j) {
-          for (int i = 0; i < f.size[0]; ++i) {
-            const Vec3 v = upper.frame.voxel_from_world(f.world_from_voxel(Vec3(i, j, k)));
-            const int x = static_cast<int>(std::lround(v[0])), y = static_cast<int>(std::lround(v[1])),
-                      z = static_cast<int>(std::lround(v[2]));
-            ASSERT_LT((v - Vec3(x, y, z)).norm(), 1e-6);  // every coarse voxel is a fine one
-            if (upper.frame.contains(x, y, z)) worst = std::max<double>(worst, std::abs(upper.at(x, y, z) - octave.levels[0].at(i, j, k)));
-          }
+  const auto octaves = whole_octaves(rasterize(hand(), 80));
+  for (std::size_t o = 1; o < octaves.size(); ++o) {
+    const Volume<float>&fine = octaves[o - 1][octaves[o - 1].size() - 2], &coarse = octaves[o][0];
+    double worst = 0;
+    const GridFrame& f = coarse.frame;
+    for (int k = 0; k < f.size[2]; ++k) {
+      for (int j = 0; j < f.size[1]; ++j) {
+        for (int i = 0; i < f.size[0]; ++i) {
+          const Vec3 v = fine.frame.voxel_from_world(f.world_from_voxel(Vec3(i, j, k)));
+          const int x = static_cast<int>(std::lround(v[0])), y = static_cast<int>(std::lround(v[1])),
+                    z = static_cast<int>(std::lround(v[2]));
+          ASSERT_LT((v - Vec3(x, y, z)).norm(), 1e-6);  // every coarse voxel is a fine one
+          if (fine.frame.contains(x, y, z)) worst = std::max<double>(worst, std::abs(fine.at(x, y, z) - coarse.at(i, j, k)));
         }
       }
-      EXPECT_LT(worst, 3e-3);
     }
-    upper = octave.levels[octave.levels.size() - 2];
-    first = false;
+    EXPECT_LT(worst, 3e-3);
+  }
+}
+
+TEST(ScaleSpace, SigmasGrowByTheSameFactor) {
+  for_each_octave(rasterize(hand(), 40), {}, 0,
+                  [](const Octave& octave) { EXPECT_NEAR(octave.sigmas[0] * std::cbrt(2), octave.sigmas[1], 1e-12); });
+}
+
+// What a visitor may look at is the same however far it may look, and every slice is new once.
+TEST(ScaleSpace, ReachKeepsTheSurroundings) {
+  constexpr int reach = 5;
+  const Interior interior = rasterize(hand(), 64);
+  const auto octaves = whole_octaves(interior);
+  std::size_t number = 0;
+  int end = 0;
+  for_each_octave(interior, {}, reach, [&](const Octave& octave) {
+    if (octave.first == 0 && end > 0) ++number;
+    EXPECT_EQ(octave.first, octave.first == 0 ? 0 : end);
+    end = octave.end;
+    const int low = std::max(0, octave.first - reach), high = std::min(octave.frame().size[2], octave.end + reach);
+    for (std::size_t level = 0; level < octave.levels.size(); ++level) {
+      for (int k = low; k < high; ++k) {
+        for (int j = 0; j < octave.frame().size[1]; ++j) {
+          const float* row = octave.levels[level].row(j, k);
+          ASSERT_TRUE(std::equal(row, row + octave.frame().size[0], &octaves[number][level].at(0, j, k))) << k;
+        }
+      }
+    }
   });
+  EXPECT_EQ(number + 1, octaves.size());
 }
 
 TEST(ScaleSpace, EmptyInteriorHasNoOctaves) {
   Interior nothing{unit_grid(5, 5, 5), std::vector<float>(11 * 11 * 11)};
-  for_each_octave(nothing, {}, [](const Octave&) { FAIL(); });
+  for_each_octave(nothing, {}, 0, [](const Octave&) { FAIL(); });
 }
 
 }  // namespace

@@ -1,121 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Sec. 4.1, 4.3: separable Gaussian blur. Two sweeps: x and y inside a slice, then z inside a plane of constant y, each in cache.
 #include "homolog/salient/gaussian_blur.h"
 
 #include <algorithm>
 #include <cmath>
-#include <cstddef>
 
 #include "homolog/base/parallel.h"
 
-// A wider twin of the inner loop, chosen at run time. AVX2 without FMA rounds like SSE2, so the bytes stay the same.
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
-#define HOMOLOG_WIDE_CLONE __attribute__((target_clones("avx2", "default")))
-#else
-#define HOMOLOG_WIDE_CLONE
-#endif
-
 namespace homolog {
 namespace {
-
-constexpr int kBlock = 32;  // floats summed at once, in registers
-
-// The part of a row that may be nonzero: [low, high).
-struct Run {
-  int low = 0, high = 0;
-  bool empty() const { return low >= high; }
-};
-
-// out[x] = sum_t weights[|t|] in[x + t stride], for x in [0, count).
-HOMOLOG_WIDE_CLONE void convolve(const float* in, std::ptrdiff_t stride, const float* weights, int radius, int count, float* out) {
-  int x = 0;
-  while (count - x >= kBlock) {
-    float sum[kBlock];
-    for (int i = 0; i < kBlock; ++i) sum[i] = weights[0] * in[x + i];
-    for (int t = 1; t <= radius; ++t) {
-      const float *before = in + x - t * stride, *after = in + x + t * stride;
-      for (int i = 0; i < kBlock; ++i) sum[i] += weights[t] * (before[i] + after[i]);
-    }
-    for (int i = 0; i < kBlock; ++i) out[x + i] = sum[i];
-    x += kBlock;
-    if (x < count && count >= kBlock) x = std::min(x, count - kBlock);  // the last block overlaps the one before
-  }
-  for (; x < count; ++x) {
-    float sum = weights[0] * in[x];
-    for (int t = 1; t <= radius; ++t) sum += weights[t] * (in[x - t * stride] + in[x + t * stride]);
-    out[x] = sum;
-  }
-}
-
-Run nonzero_run(const float* row, int count) {
-  int low = 0, high = count;
-  while (low < high && row[low] == 0) ++low;
-  while (high > low && row[high - 1] == 0) --high;
-  return {low, high};
-}
-
-// What a blur can reach from a run, made long enough for a whole block where the row allows.
-Run grown(const Run& run, int radius, int count) {
-  if (run.empty()) return {};
-  const int low = std::max(0, run.low - radius), high = std::min(count, run.high + radius);
-  return {std::max(0, std::min(low, count - kBlock)), std::max(high, std::min(count, low + kBlock))};
-}
-
-// The union of the runs of rows [row - radius, row + radius].
-Run joined(const std::vector<Run>& runs, int row, int radius) {
-  Run all;
-  for (int r = std::max(0, row - radius); r <= std::min(static_cast<int>(runs.size()) - 1, row + radius); ++r) {
-    if (runs[r].empty()) continue;
-    all = all.empty() ? runs[r] : Run{std::min(all.low, runs[r].low), std::max(all.high, runs[r].high)};
-  }
-  return all;
-}
-
-// Rows one under the other, with `radius` zero rows above and below, so that sums along columns need no test for the border.
-struct Sheet {
-  int count, radius;
-  std::vector<float> values;
-  std::vector<Run> runs;
-
-  Sheet(int row_length, int rows, int kernel_radius)
-      : count(row_length), radius(kernel_radius), values(static_cast<std::size_t>(row_length) * (rows + 2 * kernel_radius)), runs(rows) {}
-  float* row(int r) { return values.data() + static_cast<std::size_t>(r + radius) * count; }
-
-  // Row r of the sheet summed along the column; what no row reaches stays untouched. Returns the run written.
-  Run sum_column(int r, const std::vector<float>& weights, float* out) {
-    const Run run = joined(runs, r, radius);
-    if (!run.empty()) convolve(row(r) + run.low, count, weights.data(), radius, run.high - run.low, out + run.low);
-    return run;
-  }
-};
-
-// Sweep 1: slice k blurred along x and y. Notes the runs of its rows, row by row.
-void blur_slice(const Volume<float>& in, int k, const std::vector<float>& weights, Volume<float>& out, std::vector<Run>& runs) {
-  const int radius = static_cast<int>(weights.size()) - 1, nx = in.frame.size[0], ny = in.frame.size[1];
-  Sheet sheet(nx, ny, radius);
-  std::vector<float> padded(static_cast<std::size_t>(nx + 2 * radius));
-  for (int j = 0; j < ny; ++j) {
-    const float* row = &in.at(0, j, k);
-    const Run run = nonzero_run(row, nx);
-    sheet.runs[j] = grown(run, radius, nx);
-    if (run.empty()) continue;
-    std::copy(row, row + nx, padded.begin() + radius);
-    const Run& reach = sheet.runs[j];
-    convolve(padded.data() + radius + reach.low, 1, weights.data(), radius, reach.high - reach.low, sheet.row(j) + reach.low);
-  }
-  for (int j = 0; j < ny; ++j) runs[static_cast<std::size_t>(k) * ny + j] = sheet.sum_column(j, weights, &out.at(0, j, k));
-}
-
-// Sweep 2: the plane of constant j blurred along z, in place.
-void blur_plane(int j, const std::vector<float>& weights, const std::vector<Run>& runs, Volume<float>& volume) {
-  const int nx = volume.frame.size[0], ny = volume.frame.size[1], nz = volume.frame.size[2];
-  Sheet sheet(nx, nz, static_cast<int>(weights.size()) - 1);
-  for (int k = 0; k < nz; ++k) {
-    const Run& run = sheet.runs[k] = runs[static_cast<std::size_t>(k) * ny + j];
-    if (!run.empty()) std::copy(&volume.at(run.low, j, k), &volume.at(run.low, j, k) + (run.high - run.low), sheet.row(k) + run.low);
-  }
-  for (int k = 0; k < nz; ++k) sheet.sum_column(k, weights, &volume.at(0, j, k));
-}
 
 std::vector<double> sampled_gaussian(double sigma, int radius) {
   std::vector<double> weights(radius + 1);
@@ -124,6 +16,36 @@ std::vector<double> sampled_gaussian(double sigma, int radius) {
   for (double& w : weights) w /= sum;
   return weights;
 }
+
+// What a blur can reach from a run.
+Run grown(const Run& run, int radius, int count) {
+  if (run.empty()) return {};
+  return {std::max(0, run.low - radius), std::min(count, run.high + radius)};
+}
+
+// A row blurred along itself, by way of a copy between zeros.
+class RowBlur {
+ public:
+  RowBlur(const std::vector<float>& weights, int stride)
+      : weights_(weights),
+        radius_(static_cast<int>(weights.size()) - 1),
+        padded_(stride + 2 * weights.size()),
+        shifted_(2 * weights.size() - 1) {
+    for (std::size_t t = 0; t < shifted_.size(); ++t) shifted_[t] = padded_.data() + t;
+  }
+
+  void operator()(const float* row, const Run& run, const Run& reach, float* out) {
+    std::copy(row + run.low, row + run.high, padded_.begin() + radius_ + run.low);
+    weigh_rows(shifted_.data() + radius_, weights_.data(), radius_, block_begin(reach), block_end(reach), out);
+    std::fill(padded_.begin() + radius_ + run.low, padded_.begin() + radius_ + run.high, 0.0f);
+  }
+
+ private:
+  const std::vector<float>& weights_;
+  int radius_;
+  std::vector<float> padded_;
+  std::vector<const float*> shifted_;
+};
 
 }  // namespace
 
@@ -140,14 +62,51 @@ std::vector<float> gaussian_kernel(double sigma) {
   return {weights.begin(), weights.end()};
 }
 
-Volume<float> gaussian_blur(const Volume<float>& volume, double sigma) {
-  const std::vector<float> weights = gaussian_kernel(sigma);
-  const int ny = volume.frame.size[1], nz = volume.frame.size[2];
-  Volume<float> result{volume.frame, std::vector<float>(volume.values.size())};
-  std::vector<Run> runs(static_cast<std::size_t>(ny) * nz);
-  parallel_for(nz, [&](std::size_t k) { blur_slice(volume, static_cast<int>(k), weights, result, runs); });
-  parallel_for(ny, [&](std::size_t j) { blur_plane(static_cast<int>(j), weights, runs, result); });
-  return result;
+RollingBlur::RollingBlur(const GridFrame& frame, double sigma, int chunk)
+    : weights_(gaussian_kernel(sigma)), flat_(frame, 2 * radius() + chunk) {}
+
+// Rows are blurred along x on to a sheet that rolls along y, whose columns are summed while they are hot.
+void RollingBlur::blur_slice(const RollingVolume& volume, int k) {
+  const auto& [nx, ny, nz] = flat_.frame().size;
+  GridFrame standing = flat_.frame();
+  standing.size = {nx, 1, ny};
+  RollingVolume sheet(standing, 2 * radius() + 1);
+  RowBlur blur_row(weights_, flat_.stride());
+  std::vector<const float*> rows(2 * radius() + 1);
+  for (int j = 0; j < ny + radius(); ++j) {
+    if (j < ny) {
+      const Run& run = volume.run(j, k);
+      const Run reach = grown(run, radius(), nx);
+      float* row = sheet.begin_row(0, j, reach);
+      if (!run.empty()) blur_row(volume.row(j, k), run, reach, row);
+    }
+    const int summed = j - radius();
+    if (summed < 0) continue;
+    const Run run = sheet.column(0, summed, rows);
+    float* row = flat_.begin_row(summed, k, run);
+    if (!run.empty()) weigh_rows(rows.data() + radius(), weights_.data(), radius(), block_begin(run), block_end(run), row);
+  }
+}
+
+void RollingBlur::take(const RollingVolume& volume, int end) {
+  const int first = taken_;
+  parallel_for(static_cast<std::size_t>(end - first), [&](std::size_t k) { blur_slice(volume, first + static_cast<int>(k)); });
+  taken_ = end;
+}
+
+int RollingBlur::ready() const { return taken_ == flat_.frame().size[2] ? taken_ : std::max(0, taken_ - radius()); }
+
+void RollingBlur::give(int first, int end, RollingVolume& blurred, const std::function<void(int, int)>& done) const {
+  parallel_for(static_cast<std::size_t>(flat_.frame().size[1]), [&](std::size_t row_number) {
+    const int j = static_cast<int>(row_number);
+    std::vector<const float*> rows(2 * radius() + 1);
+    for (int k = first; k < end; ++k) {
+      const Run run = flat_.column(j, k, rows);
+      float* row = blurred.begin_row(j, k, run);
+      if (!run.empty()) weigh_rows(rows.data() + radius(), weights_.data(), radius(), block_begin(run), block_end(run), row);
+      done(j, k);
+    }
+  });
 }
 
 }  // namespace homolog

@@ -22,17 +22,20 @@ struct Quadratic {
   double at(const Vec3& d) const { return value + gradient.dot(d) + d.dot(hessian * d) / 2; }
 };
 
-Quadratic quadratic_at(const Volume<float>& level, const std::array<int, 3>& v) {
-  const std::ptrdiff_t step[3] = {1, level.frame.size[0], static_cast<std::ptrdiff_t>(level.frame.size[0]) * level.frame.size[1]};
-  const float* f = &level.at(v[0], v[1], v[2]);
+Quadratic quadratic_at(const RollingVolume& level, const std::array<int, 3>& v) {
+  const auto f = [&](int i, int j, int k) { return double(level.row(v[1] + j, v[2] + k)[v[0] + i]); };
+  const auto along = [&](int a, int b, int s, int t) {  // s steps along axis a, t along axis b
+    std::array<int, 3> d{0, 0, 0};
+    d[a] += s, d[b] += t;
+    return f(d[0], d[1], d[2]);
+  };
   Quadratic q;
-  q.value = f[0];
+  q.value = f(0, 0, 0);
   for (int a = 0; a < 3; ++a) {
-    q.gradient[a] = (double(f[step[a]]) - f[-step[a]]) / 2;
-    q.hessian(a, a) = double(f[step[a]]) + f[-step[a]] - 2.0 * f[0];
+    q.gradient[a] = (along(a, a, 1, 0) - along(a, a, -1, 0)) / 2;
+    q.hessian(a, a) = along(a, a, 1, 0) + along(a, a, -1, 0) - 2.0 * q.value;
     for (int b = 0; b < a; ++b) {
-      const double alike = double(f[step[a] + step[b]]) + f[-step[a] - step[b]],
-                   unlike = double(f[step[a] - step[b]]) + f[step[b] - step[a]];
+      const double alike = along(a, b, 1, 1) + along(a, b, -1, -1), unlike = along(a, b, 1, -1) + along(a, b, -1, 1);
       q.hessian(a, b) = q.hessian(b, a) = (alike - unlike) / 4;
     }
   }
@@ -97,7 +100,7 @@ double ridge_height(const Octave& octave, int level, double scale_offset, Vec3 x
   double height = 0;
   for (int move = 0; move < kMostMoves; ++move) {
     const std::array<int, 3> voxel = nearest_voxel(x);
-    if (!inside_margin(octave.levels[0].frame, voxel)) break;
+    if (!inside_margin(octave.frame(), voxel)) break;
     const Stack stack = stack_at(octave, level, voxel);
     const Vec3 d = x - vector_of(voxel);
     Quadratic q = stack.at(scale_offset);
@@ -122,6 +125,13 @@ double sheet_fall(const Octave& octave, int level, const Mat3& hessian, const Ve
 }
 
 }  // namespace
+
+int refinement_reach(const SalientParams& params) {
+  const double k = std::pow(2, 1.0 / params.levels_per_octave);
+  const double largest_radius = radius_factor(k) * params.sigma0 * 2 * std::pow(k, 1.5);  // of the last inner level, at the next scale
+  const double on_ridge = kBeside * largest_radius + (kMostMoves - 1) * std::sqrt(3.0) + 0.5;
+  return kMostMoves + 1 + static_cast<int>(std::ceil(on_ridge)) + 1;  // the peak's own moves, its last step; the neighbours asked
+}
 
 ScaleCorrection::ScaleCorrection(double k) {
   const double best = 1 / radius_factor(k);
@@ -150,12 +160,12 @@ RefinedPeak refine_peak(const Octave& octave, const Peak& peak, double k, const 
     top = stack.scale_top(d);
     if (d.cwiseAbs().maxCoeff() <= 0.6) continue;  // same voxel: the next round only settles place and scale together
     const std::array<int, 3> next = nearest_voxel(vector_of(voxel) + d);
-    if (!inside_margin(octave.levels[0].frame, next)) break;
+    if (!inside_margin(octave.frame(), next)) break;
     voxel = next;
     stack = stack_at(octave, peak.level, voxel);
     d.setZero();
   }
-  const GridFrame& frame = octave.levels[0].frame;
+  const GridFrame& frame = octave.frame();
   const Vec3 x = vector_of(voxel) + d;
   RefinedPeak refined;
   refined.point.position = frame.world_from_voxel(x);

@@ -37,6 +37,9 @@ struct RefinedPeak {
   double sheet_fall;
 };
 
+/// How many slices away from a peak its refinement may look.
+int refinement_reach(const SalientParams& params);
+
 /// `k` is the factor between levels.
 RefinedPeak refine_peak(const Octave& octave, const Peak& peak, double k, const ScaleCorrection& correction);
 

@@ -3,6 +3,7 @@
 #include "homolog/salient/salient_points.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <tuple>
@@ -23,65 +24,61 @@ constexpr float kBorderShare = 0.99f;
 // .78 of the points repeatable under rotation, but takes the points along limbs, a quarter of the right pairs, and gains no match.
 constexpr double kLeastSheetFall = 0.003;
 
+// Rows j - 1 to j + 1 of slices k - 1 to k + 1 of a level.
+using Rows = std::array<const float*, 9>;
+
+Rows rows_around(const RollingVolume& level, int j, int k) {
+  Rows rows;
+  for (int n = 0; n < 9; ++n) rows[n] = level.row(j + n % 3 - 1, k + n / 3 - 1);
+  return rows;
+}
+
 // Whether the voxel exceeds its 26 neighbours on its own level. Of equals the one with the lowest index wins, so that a symmetric shape
 // centred between voxels is not lost.
-bool tops_own_level(const Volume<float>& level, std::size_t voxel) {
-  const auto nx = static_cast<std::ptrdiff_t>(level.frame.size[0]), ny = static_cast<std::ptrdiff_t>(level.frame.size[1]);
-  const float* f = level.values.data() + voxel;
-  for (std::ptrdiff_t k = -1; k <= 1; ++k) {
-    for (std::ptrdiff_t j = -1; j <= 1; ++j) {
-      for (std::ptrdiff_t i = -1; i <= 1; ++i) {
-        const std::ptrdiff_t offset = (k * ny + j) * nx + i;
-        if (offset < 0 ? f[offset] >= f[0] : offset > 0 && f[offset] > f[0]) return false;
-      }
-    }
+bool tops_own_level(const Rows& rows, int i) {
+  const float value = rows[4][i];
+  for (int n = 0; n < 27; ++n) {
+    const float other = rows[n / 3][i + n % 3 - 1];
+    if (n < 13 ? other >= value : other > value) return false;
   }
   return true;
 }
 
 // Whether `value` exceeds (or, with `ties`, equals) all 27 neighbours on another level.
-bool tops_other_level(const Volume<float>& level, std::size_t voxel, float value, bool ties) {
-  const auto nx = static_cast<std::ptrdiff_t>(level.frame.size[0]), ny = static_cast<std::ptrdiff_t>(level.frame.size[1]);
-  const float* f = level.values.data() + voxel;
-  for (std::ptrdiff_t k = -1; k <= 1; ++k) {
-    for (std::ptrdiff_t j = -1; j <= 1; ++j) {
-      for (std::ptrdiff_t i = -1; i <= 1; ++i) {
-        const float other = f[(k * ny + j) * nx + i];
-        if (ties ? other > value : other >= value) return false;
-      }
-    }
+bool tops_other_level(const Rows& rows, int i, float value, bool ties) {
+  for (int n = 0; n < 27; ++n) {
+    const float other = rows[n / 3][i + n % 3 - 1];
+    if (ties ? other > value : other >= value) return false;
   }
   return true;
 }
 
-// Compares with the 80 neighbours; a neighbour on a level that belongs to another octave counts a little less.
-bool is_peak(const Octave& octave, int level, std::size_t voxel) {
+// The peaks of one row of a level, each compared with its 80 neighbours; one on a level of another octave counts a little less.
+void append_peaks_of_row(const Octave& octave, int level, int j, int k, float least, std::vector<Peak>& peaks) {
   const int last = static_cast<int>(octave.levels.size()) - 2;
-  const float value = octave.levels[level].values[voxel];
-  return tops_own_level(octave.levels[level], voxel) &&
-         tops_other_level(octave.levels[level - 1], voxel, level == 1 ? value / kBorderShare : value, false) &&
-         tops_other_level(octave.levels[level + 1], voxel, level == last ? value / kBorderShare : value, true);
-}
-
-// The peaks of one slice of one level, in index order.
-std::vector<Peak> peaks_of_slice(const Octave& octave, int level, int k, float least) {
-  const Volume<float>& here = octave.levels[level];
-  std::vector<Peak> peaks;
-  for (int j = 1; j + 1 < here.frame.size[1]; ++j) {
-    const std::size_t row = here.frame.index(0, j, k);
-    for (int i = 1; i + 1 < here.frame.size[0]; ++i) {
-      if (here.values[row + i] >= least && is_peak(octave, level, row + i)) peaks.push_back({level, {i, j, k}});
+  const Run& run = octave.levels[level].run(j, k);
+  const float* row = octave.levels[level].row(j, k);
+  for (int i = std::max(1, run.low); i < std::min(run.high, octave.frame().size[0] - 1); ++i) {
+    if (row[i] < least || row[i - 1] >= row[i] || row[i + 1] > row[i] || !tops_own_level(rows_around(octave.levels[level], j, k), i))
+      continue;
+    const float lower = level == 1 ? row[i] / kBorderShare : row[i], upper = level == last ? row[i] / kBorderShare : row[i];
+    if (tops_other_level(rows_around(octave.levels[level - 1], j, k), i, lower, false) &&
+        tops_other_level(rows_around(octave.levels[level + 1], j, k), i, upper, true)) {
+      peaks.push_back({level, {i, j, k}});
     }
   }
-  return peaks;
 }
 
+// The peaks of the octave's new slices; slices on the border have no neighbours beyond.
 std::vector<Peak> find_peaks(const Octave& octave, double threshold) {
-  const auto levels = octave.levels.size() - 2, slices = static_cast<std::size_t>(octave.levels[0].frame.size[2]) - 2;
-  std::vector<std::vector<Peak>> found(levels * slices);
+  const int first = std::max(1, octave.first), end = std::min(octave.end, octave.frame().size[2] - 1);
+  const int levels = static_cast<int>(octave.levels.size()) - 2;
+  std::vector<std::vector<Peak>> found(static_cast<std::size_t>(std::max(0, end - first)) * levels);
   parallel_for(found.size(), [&](std::size_t n) {
-    found[n] = peaks_of_slice(octave, static_cast<int>(n / slices) + 1, static_cast<int>(n % slices) + 1,
-                              static_cast<float>(threshold) * kVoxelShare);
+    const int level = static_cast<int>(n) % levels + 1, k = first + static_cast<int>(n) / levels;
+    for (int j = 1; j + 1 < octave.frame().size[1]; ++j) {
+      append_peaks_of_row(octave, level, j, k, static_cast<float>(threshold) * kVoxelShare, found[n]);
+    }
   });
   std::vector<Peak> peaks;
   for (const auto& some : found) peaks.insert(peaks.end(), some.begin(), some.end());
@@ -117,7 +114,7 @@ std::vector<SalientPoint> find_salient_points(const Interior& interior, const Sa
   const double k = std::pow(2, 1.0 / params.levels_per_octave);
   const ScaleCorrection correction(k);
   std::vector<SalientPoint> points;
-  for_each_octave(interior, params, [&](const Octave& octave) {
+  for_each_octave(interior, params, refinement_reach(params), [&](const Octave& octave) {
     const std::vector<Peak> peaks = find_peaks(octave, params.threshold);
     std::vector<RefinedPeak> refined(peaks.size());
     parallel_for(peaks.size(), [&](std::size_t n) { refined[n] = refine_peak(octave, peaks[n], k, correction); });

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
+#include <optional>
 #include <utility>
 
 #include "homolog/base/parallel.h"
-#include "homolog/salient/gaussian_blur.h"
+#include "homolog/salient/growing_octave.h"
 
 namespace homolog {
 namespace {
@@ -42,40 +42,75 @@ VoxelBox content_of(const Interior& interior) {
   return box;
 }
 
-// Every step-th voxel of a box, with `margin` zeros around it; what the source knows beyond the box is kept within the margin.
-Volume<float> resampled(const Volume<float>& source, const VoxelBox& box, int step, int margin) {
-  Volume<float> result;
-  GridFrame& frame = result.frame;
+// Every step-th voxel of a box, with `margin` voxels around it.
+GridFrame frame_around(const GridFrame& source, const VoxelBox& box, int step, int margin) {
+  GridFrame frame;
   std::array<int, 3> first{};
   for (int axis = 0; axis < 3; ++axis) {
     frame.size[axis] = (box.high[axis] - box.low[axis] + step - 1) / step + 1 + 2 * margin;
     first[axis] = box.low[axis] - step * margin;
   }
-  frame.spacing = step * source.frame.spacing;
-  frame.origin = source.frame.world_from_voxel(Vec3(first[0], first[1], first[2]));
-  std::array<std::array<int, 2>, 3> known{};  // range of result voxels that the source covers
-  for (int axis = 0; axis < 3; ++axis) {
-    const int below = std::max(0, -first[axis]), last = source.frame.size[axis] - 1 - first[axis];
-    known[axis] = {(below + step - 1) / step, std::min(frame.size[axis], last / step + 1)};
-  }
-  result.values.assign(frame.voxels(), 0);
-  parallel_for(static_cast<std::size_t>(known[2][1] - known[2][0]), [&](std::size_t slice) {
-    const int k = known[2][0] + static_cast<int>(slice);
-    for (int j = known[1][0]; j < known[1][1]; ++j) {
-      const float* row = source.values.data() + source.frame.index(0, first[1] + step * j, first[2] + step * k);
-      for (int i = known[0][0]; i < known[0][1]; ++i) result.at(i, j, k) = row[first[0] + step * i];
-    }
-  });
-  return result;
+  frame.spacing = step * source.spacing;
+  frame.origin = source.world_from_voxel(Vec3(first[0], first[1], first[2]));
+  return frame;
 }
 
-// fine becomes factor * (fine - coarse), Sec. 4.3 with the divisor ln k instead of k.
-void subtract(const Volume<float>& coarse, double factor, Volume<float>& fine) {
-  const std::size_t slice = static_cast<std::size_t>(fine.frame.size[0]) * fine.frame.size[1];
-  parallel_for(static_cast<std::size_t>(fine.frame.size[2]), [&](std::size_t k) {
-    const auto f = static_cast<float>(factor);
-    for (std::size_t v = k * slice; v < (k + 1) * slice; ++v) fine.values[v] = f * (fine.values[v] - coarse.values[v]);
-  });
+// The nonzero part of a row.
+Run nonzero_run(const float* row, int count) {
+  int low = 0, high = count;
+  while (low < high && row[low] == 0) ++low;
+  while (high > low && row[high - 1] == 0) --high;
+  return {low, high};
+}
+
+// Slice k of the padded coverage: voxel v of it is voxel v + shift of the interior.
+void copy_coverage(const Interior& interior, const std::array<int, 3>& shift, int k, RollingVolume& padded) {
+  for (int j = 0; j < padded.frame().size[1]; ++j) {
+    const int y = j + shift[1], z = k + shift[2];
+    const bool known = y >= 0 && z >= 0 && y < interior.frame.size[1] && z < interior.frame.size[2];
+    const float* row = known ? &interior.at(0, y, z) : nullptr;
+    const Run run = known ? nonzero_run(row, interior.frame.size[0]) : Run{};
+    float* copy = padded.begin_row(j, k, run.empty() ? Run{} : Run{run.low - shift[0], run.high - shift[0]});
+    if (!run.empty()) std::copy(row + run.low, row + run.high, copy + run.low - shift[0]);
+  }
+}
+
+// The lowest level of the first octave.
+class BlurredCoverage {
+ public:
+  BlurredCoverage(const Interior& interior, const std::array<int, 3>& shift, const GridFrame& frame, double sigma)
+      : interior_(interior), shift_(shift), padded_(frame, growth_step), blur_(frame, sigma, growth_step) {}
+
+  // Makes the next slices after the first `made`; returns how many there are then.
+  int make(int made, RollingVolume& level) {
+    while (blur_.ready() <= made) {
+      const int first = blur_.taken(), end = std::min(first + growth_step, level.frame().size[2]);
+      parallel_for(static_cast<std::size_t>(end - first),
+                   [&](std::size_t k) { copy_coverage(interior_, shift_, first + static_cast<int>(k), padded_); });
+      blur_.take(padded_, end);
+    }
+    const int end = std::min(blur_.ready(), made + growth_step);
+    blur_.give(made, end, level, [](int, int) {});
+    return end;
+  }
+
+ private:
+  const Interior& interior_;
+  std::array<int, 3> shift_;
+  RollingVolume padded_;
+  RollingBlur blur_;
+};
+
+// Row j of slice k of a level, if it belongs to the next octave: that has every second voxel, from voxel -margin on.
+void halve_row(const RollingVolume& level, int j, int k, int margin, RollingVolume& next) {
+  const auto& size = next.frame().size;
+  if ((j + margin) % 2 != 0 || (k + margin) % 2 != 0 || (j + margin) / 2 >= size[1] || (k + margin) / 2 >= size[2]) return;
+  const Run& run = level.run(j, k);
+  const Run halved{(run.low + margin + 1) / 2, std::min(size[0], (run.high - 1 + margin) / 2 + 1)};
+  float* target = next.begin_row((j + margin) / 2, (k + margin) / 2, run.empty() ? Run{} : halved);
+  if (run.empty()) return;
+  const float* row = level.row(j, k);
+  for (int i = halved.low; i < halved.high; ++i) target[i] = row[2 * i - margin];
 }
 
 }  // namespace
@@ -89,34 +124,29 @@ double radius_factor(double k) { return std::sqrt(3 * std::log(k) / std::sinh(st
 
 double ball_response(double k) { return ball_level(1 / radius_factor(k), k); }
 
-void for_each_octave(const Interior& interior, const SalientParams& params, const std::function<void(const Octave&)>& visit) {
-  const int levels = params.levels_per_octave;
-  const double k = std::pow(2, 1.0 / levels), sigma0 = params.sigma0;
+void for_each_octave(const Interior& interior, const SalientParams& params, int reach, const std::function<void(const Octave&)>& visit) {
+  const double k = std::pow(2, 1.0 / params.levels_per_octave), sigma0 = params.sigma0;
   const int margin = static_cast<int>(std::ceil(5 * sigma0));  // 2.5 blurs of the level that goes on to the next octave
   VoxelBox box = content_of(interior);
   if (box.high[0] < 0) return;
   const Vec3 extent(box.high[0] - box.low[0] + 1, box.high[1] - box.low[1] + 1, box.high[2] - box.low[2] + 1);
   const double largest_sigma = interior.frame.spacing * extent.norm() / 2 / radius_factor(k);
 
-  Volume<float> gaussian = resampled(interior, box, 1, margin);
-  gaussian = gaussian_blur(gaussian, std::sqrt(std::max(sigma0 * sigma0 - kCoverageVariance, 0.25)));
+  GridFrame frame = frame_around(interior.frame, box, 1, margin);
+  BlurredCoverage coverage(interior, {box.low[0] - margin, box.low[1] - margin, box.low[2] - margin}, frame,
+                           std::sqrt(std::max(sigma0 * sigma0 - kCoverageVariance, 0.25)));
+  std::optional<RollingVolume> lowest;
   while (true) {
-    Octave octave;
-    Volume<float> next_octave;
-    const GridFrame& frame = gaussian.frame;
     for (int axis = 0; axis < 3; ++axis) box.low[axis] = margin, box.high[axis] = frame.size[axis] - 1 - margin;
-    for (int i = 0; i < levels + 2; ++i) {
-      const double sigma = sigma0 * std::pow(k, i);
-      if (i == levels) next_octave = resampled(gaussian, box, 2, margin);
-      Volume<float> blurred = gaussian_blur(gaussian, sigma * std::sqrt(k * k - 1));
-      subtract(blurred, -1 / (std::log(k) * ball_response(k)), gaussian);
-      octave.levels.push_back(std::move(gaussian));
-      octave.sigmas.push_back(sigma * std::sqrt(k) * frame.spacing);
-      gaussian = std::move(blurred);
-    }
-    visit(octave);
-    if (octave.sigmas[levels] > largest_sigma) return;
-    gaussian = std::move(next_octave);
+    const GridFrame next_frame = frame_around(frame, box, 2, margin);
+    RollingVolume next(next_frame, next_frame.size[2]);
+    GrowingOctave octave(frame, params, reach);
+    if (lowest) octave.begin_with(std::move(*lowest));
+    octave.grow([&](int made, RollingVolume& level) { return coverage.make(made, level); },
+                [&](const RollingVolume& level, int row, int slice) { halve_row(level, row, slice, margin, next); }, visit);
+    if (sigma0 * std::pow(k, params.levels_per_octave + 0.5) * frame.spacing > largest_sigma) return;
+    lowest = std::move(next);
+    frame = next_frame;
   }
 }
 

@@ -8,16 +8,20 @@
 #include <vector>
 
 #include "homolog/base/parameters.h"
+#include "homolog/salient/rolling_volume.h"
 #include "homolog/shape/volume.h"
 
 namespace homolog {
 
 /// One octave of S + 2 levels on one grid, L_norm as a share of a ball's: levels[i] = (G(k s_i) - G(s_i)) * chi / ln k / ball_response(k)
 /// at sigmas[i] = s_i sqrt(k), in world units. Minima of L_norm are maxima here. Levels 1 to S belong to this octave; level 0 repeats
-/// the octave below and level S + 1 begins the one above.
+/// the octave below and level S + 1 begins the one above. It is never there as a whole: see for_each_octave.
 struct Octave {
-  std::vector<Volume<float>> levels;
+  std::vector<RollingVolume> levels;
   std::vector<double> sigmas;
+  int first = 0, end = 0;  ///< the slices first <= k < end are new
+
+  const GridFrame& frame() const { return levels[0].frame(); }
 };
 
 /// (G(k s) - G(s)) * chi / ln k in the centre of a unit ball, read at sigma = s sqrt(k); tends to -sqrt(2/pi) sigma^-3 exp(-1/(2 sigma^2)).
@@ -29,8 +33,8 @@ double radius_factor(double k);
 /// The ball's strongest response, ball_level(1 / radius_factor(k), k); tends to -sqrt(2/pi) 3 sqrt(3) exp(-3/2) = -0.925.
 double ball_response(double k);
 
-/// Calls visit(octave) for every octave from fine to coarse, until a ball as large as the shape's box is covered; only one is held at a
-/// time.
-void for_each_octave(const Interior& interior, const SalientParams& params, const std::function<void(const Octave&)>& visit);
+/// Calls visit(octave) for every octave from fine to coarse, until a ball as large as the shape's box is covered. Each is visited several
+/// times, from bottom to top: its new slices and those within `reach` of them are held then, in all levels.
+void for_each_octave(const Interior& interior, const SalientParams& params, int reach, const std::function<void(const Octave&)>& visit);
 
 }  // namespace homolog
