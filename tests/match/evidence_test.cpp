@@ -21,7 +21,7 @@ Cloth laid(const Similarity& map) {
   return lay_cloth(hand().body, spline, map.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper);
 }
 
-Evidence weigh_on_itself(const Cloth& cloth) { return weigh(cloth, hand().body, hand().diagonal, hand().surface, hand().diagonal); }
+Evidence weigh_on_itself(const Cloth& cloth) { return weigh(cloth, hand(), hand()); }
 
 Mat3 half_turn() { return Eigen::AngleAxisd(M_PI, Vec3::UnitY()).toRotationMatrix(); }
 
@@ -60,10 +60,11 @@ TEST(Evidence, StretchIsTheSpreadOfLogarithmsOfLengths) {
 }
 
 TEST(Evidence, APartIsJudgedByTheDataNearIt) {
-  std::vector<SurfaceSample> with_stranger = hand().surface;
-  for (const SurfaceSample& s : hand().surface) with_stranger.push_back({s.position + Vec3(5, 0, 0), s.normal});
+  Shape with_stranger = hand();
+  with_stranger.diagonal = 5;
+  for (const SurfaceSample& s : hand().surface) with_stranger.surface.push_back({s.position + Vec3(5, 0, 0), s.normal});
   const Evidence alone = weigh_on_itself(laid({}));
-  const Evidence evidence = weigh(laid({}), hand().body, hand().diagonal, with_stranger, 5);
+  const Evidence evidence = weigh(laid({}), hand(), with_stranger);
   EXPECT_NEAR(evidence.data_reached, 0.5 * alone.data_reached, 1e-9);
   EXPECT_NEAR(evidence.data_near_reached, alone.data_near_reached, 1e-9);
 }
@@ -83,7 +84,7 @@ TEST(Evidence, MeritAndConfidenceRiseTogether) {
 }
 
 TEST(Evidence, NothingReachesNothing) {
-  const Evidence evidence = weigh(laid({}), hand().body, hand().diagonal, {}, 1);
+  const Evidence evidence = weigh(laid({}), hand(), {});
   EXPECT_EQ(evidence.model_reached, 0);
   EXPECT_EQ(evidence.data_reached, 0);
 }

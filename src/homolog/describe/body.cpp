@@ -41,17 +41,6 @@ std::vector<int> nearest_nodes(const Body& body, int node, int count) {
   return nearest;
 }
 
-double typical_spacing(const Body& body) {
-  std::vector<double> distances;
-  for (int node = 0; node < static_cast<int>(body.surface_count); ++node) {
-    const std::vector<int> nearest = nearest_nodes(body, node, 1);
-    if (!nearest.empty()) distances.push_back((body.nodes[nearest[0]] - body.nodes[node]).norm());
-  }
-  if (distances.empty()) return 0;
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return distances[distances.size() / 2];
-}
-
 void join_nodes(const Interior& interior, Body& body) {
   std::vector<std::vector<int>> outgoing(body.nodes.size());
   parallel_for(body.nodes.size(), [&](std::size_t node) {
@@ -102,7 +91,7 @@ Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samp
     body.nodes.push_back(samples[i].position);
     body.normals.push_back(samples[i].normal);
   }
-  body.spacing = typical_spacing(body);
+  body.spacing = typical_spacing(body.nodes);
   for (const SalientPoint& point : points) {
     body.nodes.push_back(point.position);
     body.normals.emplace_back(Vec3::Zero());

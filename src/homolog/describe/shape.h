@@ -20,6 +20,7 @@ struct Shape {
   std::vector<SalientPoint> points;    ///< X, strongest radius first
   Descriptors descriptors;             ///< mu, parallel to points
   std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
+  double surface_spacing = 0;          ///< typical distance of neighbouring samples
   Body body;                           ///< joins the first of these samples and the points inside the solid
   Eigen::MatrixXd inner_distance;      ///< shortest ways inside, point to point
 };

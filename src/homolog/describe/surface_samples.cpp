@@ -120,4 +120,25 @@ std::vector<SurfaceSample> sample_surface(const Interior& interior, int count) {
   return samples;
 }
 
+std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples) {
+  std::vector<Vec3> positions;
+  for (const SurfaceSample& s : samples) positions.push_back(s.position);
+  return positions;
+}
+
+double typical_spacing(const std::vector<Vec3>& places) {
+  if (places.size() < 2) return 0;
+  std::vector<double> squares(places.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t j = i + 1; j < places.size(); ++j) {
+      const double square = (places[i] - places[j]).squaredNorm();
+      squares[i] = std::min(squares[i], square);
+      squares[j] = std::min(squares[j], square);
+    }
+  }
+  const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
+  std::nth_element(squares.begin(), middle, squares.end());
+  return std::sqrt(*middle);
+}
+
 }  // namespace homolog

@@ -6,12 +6,34 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/match/sample_blocks.h"
+
 namespace homolog {
 namespace {
 
 constexpr double anchor_weight = 2;
-constexpr float outlier_share = 0.1f;  // of the expected sum of weights: what has no partner is not drawn anywhere
+constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
 constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
+
+// The body's edges in one row, node after node.
+struct Edges {
+  std::vector<int> first, other;
+  std::vector<Vec3> vector;    // from the node to the other one, at rest
+  std::vector<double> square;  // sum of squared lengths, per node
+};
+
+Edges edges_of(const Body& model) {
+  Edges edges{{0}, {}, {}, std::vector<double>(model.nodes.size())};
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    for (int j : model.neighbours[i]) {
+      edges.other.push_back(j);
+      edges.vector.push_back(model.nodes[j] - model.nodes[i]);
+      edges.square[i] += edges.vector.back().squaredNorm();
+    }
+    edges.first.push_back(static_cast<int>(edges.other.size()));
+  }
+  return edges;
+}
 
 // Turns `rotation` to the one nearest to `covariance`, starting where it stands (Mueller et al. 2016); its determinant stays as it is.
 void turn_towards(const Mat3& covariance, Mat3& rotation) {
@@ -22,45 +44,29 @@ void turn_towards(const Mat3& covariance, Mat3& rotation) {
       turn += rotation.col(a).cross(covariance.col(a));
       grip += rotation.col(a).dot(covariance.col(a));
     }
-    turn /= std::abs(grip);
-    const double angle = turn.norm();
-    if (!(angle > 1e-5)) return;
-    rotation = Eigen::AngleAxisd(angle, turn / angle) * rotation;
+    turn /= 2 * std::abs(grip);
+    const double half_angle = turn.norm();
+    if (!(half_angle < 1e100)) return;
+    rotation = Eigen::Quaterniond(1, turn.x(), turn.y(), turn.z()).normalized().toRotationMatrix() * rotation;
+    if (half_angle < 1e-3) return;  // what is left is its square
   }
 }
 
 // Best local rotations, and local scales half way between the measured one and the cloth's.
-void fit_local_frames(Cloth& cloth, const Body& model) {
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+void fit_local_frames(Cloth& cloth, const Edges& edges) {
+  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
+    if (edges.square[i] == 0) continue;
     Mat3 covariance = Mat3::Zero();
-    double before = 0, after = 0;
-    for (int j : model.neighbours[i]) {
-      const Vec3 edge = model.nodes[j] - model.nodes[i], image = cloth.nodes[j] - cloth.nodes[i];
-      covariance += image * edge.transpose();
-      before += edge.squaredNorm();
+    double after = 0;
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) {
+      const Vec3 image = cloth.nodes[edges.other[e]] - cloth.nodes[i];
+      covariance += image * edges.vector[e].transpose();
       after += image.squaredNorm();
     }
-    if (before == 0) continue;
     turn_towards(covariance, cloth.rotations[i]);
-    const double measured = std::clamp(std::sqrt(after / before), 0.25 * cloth.scale, 4 * cloth.scale);
+    const double measured = std::clamp(std::sqrt(after / edges.square[i]), 0.25 * cloth.scale, 4 * cloth.scale);
     cloth.scales[i] = std::sqrt(measured * cloth.scale);
   }
-}
-
-// The data's skin as rows, relative to a middle so that single precision suffices.
-struct Samples {
-  Eigen::MatrixX3f places, normals;
-  Vec3 middle = Vec3::Zero();
-};
-
-Samples rows_of(const std::vector<SurfaceSample>& data) {
-  Samples rows{Eigen::MatrixX3f(data.size(), 3), Eigen::MatrixX3f(data.size(), 3)};
-  for (const SurfaceSample& s : data) rows.middle += s.position / static_cast<double>(data.size());
-  for (std::size_t k = 0; k < data.size(); ++k) {
-    rows.places.row(k) = (data[k].position - rows.middle).cast<float>();
-    rows.normals.row(k) = data[k].normal.cast<float>();
-  }
-  return rows;
 }
 
 // What the data's samples ask of every skin node: a place, and how strongly.
@@ -69,29 +75,51 @@ struct Pull {
   std::vector<double> mass;
 };
 
-// One row of weights: near and facing the same way.
-Eigen::ArrayXf weights_of(const Eigen::Vector3f& y, const Eigen::Vector3f& n, const Samples& data, float inverse) {
-  const Eigen::ArrayXf square = inverse * (data.places.rowwise() - y.transpose()).rowwise().squaredNorm().array();
-  const Eigen::ArrayXf agreement = (data.normals * n).array().max(0.0f);
-  return (square < 12).select((-square).exp() * agreement.square(), 0.0f);
+// The weights of a skin node and the samples of a block: near, and facing the same way.
+struct BlockWeights {
+  int node, block;
+  BlockFloats weight;
+};
+
+std::vector<BlockWeights> weigh_blocks(const Cloth& cloth, const Body& model, const SampleBlocks& data, double reach) {
+  constexpr float farthest = 12;  // where the weight is nothing: e^-12
+  const auto inverse = static_cast<float>(0.5 / (reach * reach));
+  const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
+  std::vector<BlockWeights> weights;
+  for (int i = 0; i < static_cast<int>(model.surface_count); ++i) {
+    const Eigen::Vector3f y = (cloth.nodes[i] - data.middle).cast<float>(), n = (cloth.rotations[i] * model.normals[i]).cast<float>();
+    for (int b = 0; b < static_cast<int>(data.blocks.size()); ++b) {
+      const SampleBlock& block = data.blocks[b];
+      const float passed = limit + block.radius;
+      if ((block.centre - y).squaredNorm() > passed * passed) continue;
+      const BlockFloats nearness = ((-inverse * squared_distances(block, y)).exp() - nothing).max(0.0f);
+      const BlockFloats agreement = (block.nx * n.x() + block.ny * n.y() + block.nz * n.z()).max(0.0f);
+      weights.push_back({i, b, nearness * agreement.square()});
+    }
+  }
+  return weights;
 }
 
-Pull assign(const Cloth& cloth, const Body& model, const Samples& data, double reach) {
-  const Eigen::Index rows = model.surface_count, columns = data.places.rows();
-  Eigen::MatrixXf weight(columns, rows);
-  for (Eigen::Index i = 0; i < rows; ++i) {
-    const Eigen::Vector3f normal = (cloth.rotations[i] * model.normals[i]).cast<float>();
-    weight.col(i) = weights_of((cloth.nodes[i] - data.middle).cast<float>(), normal, data, static_cast<float>(0.5 / (reach * reach)));
+// One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
+Eigen::ArrayXf half_over(const Eigen::ArrayXf& sums) { return 0.5f / (sums + outlier_share * sums.mean() + 1e-12f); }
+
+// Soft assignment of nodes to samples and of samples to nodes, the mean of both.
+Pull assign(const Cloth& cloth, const Body& model, const SampleBlocks& data, double reach) {
+  const std::vector<BlockWeights> weights = weigh_blocks(cloth, model, data, reach);
+  Eigen::ArrayXf node_sums = Eigen::ArrayXf::Zero(model.surface_count), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
+  for (const BlockWeights& w : weights) {
+    node_sums[w.node] += w.weight.sum();
+    sample_sums.segment<block_size>(w.block * block_size) += w.weight;
   }
-  const Eigen::ArrayXf row_sums = weight.colwise().sum().transpose(), column_sums = weight.rowwise().sum();
-  const Eigen::ArrayXf by_row = 0.5f / (row_sums + outlier_share * row_sums.mean() + 1e-12f);
-  const Eigen::ArrayXf by_column = 0.5f / (column_sums + outlier_share * column_sums.mean() + 1e-12f);
-  Eigen::MatrixX4f place_and_one(columns, 4);
-  place_and_one << data.places, Eigen::VectorXf::Ones(columns);
-  const Eigen::MatrixX4f sums = by_row.matrix().asDiagonal() * (weight.transpose() * place_and_one) +
-                                weight.transpose() * (by_column.matrix().asDiagonal() * place_and_one);
-  Pull pull{std::vector<Vec3>(rows, Vec3::Zero()), std::vector<double>(rows, 0)};
-  for (Eigen::Index i = 0; i < rows; ++i) {
+  const Eigen::ArrayXf by_node = half_over(node_sums), by_sample = half_over(sample_sums);
+  Eigen::MatrixX4f sums = Eigen::MatrixX4f::Zero(model.surface_count, 4);
+  for (const BlockWeights& w : weights) {
+    const SampleBlock& block = data.blocks[w.block];
+    const BlockFloats share = w.weight * (by_sample.segment<block_size>(w.block * block_size) + by_node[w.node]);
+    sums.row(w.node) += Eigen::RowVector4f((share * block.x).sum(), (share * block.y).sum(), (share * block.z).sum(), share.sum());
+  }
+  Pull pull{std::vector<Vec3>(model.surface_count, Vec3::Zero()), std::vector<double>(model.surface_count, 0)};
+  for (std::size_t i = 0; i < model.surface_count; ++i) {
     pull.mass[i] = sums(i, 3);
     if (sums(i, 3) > 1e-9f) pull.place[i] = data.middle + (sums.row(i).head<3>() / sums(i, 3)).cast<double>().transpose();
   }
@@ -100,35 +128,55 @@ Pull assign(const Cloth& cloth, const Body& model, const Samples& data, double r
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-// lambda * Laplacian + masses + anchors.
-Sparse system_matrix(const Body& model, const Pull& pull, const std::vector<Anchor>& anchors, double stiffness) {
-  const int n = static_cast<int>(model.nodes.size());
+Sparse laplacian_of(const Edges& edges) {
+  const int n = static_cast<int>(edges.square.size());
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i) {
-    double diagonal = 1e-9 + stiffness * static_cast<double>(model.neighbours[i].size());
-    if (i < static_cast<int>(pull.mass.size())) diagonal += pull.mass[i];
-    entries.emplace_back(i, i, diagonal);
-    for (int j : model.neighbours[i]) entries.emplace_back(i, j, -stiffness);
+    entries.emplace_back(i, i, edges.first[i + 1] - edges.first[i]);
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) entries.emplace_back(i, edges.other[e], -1);
   }
-  for (const Anchor& anchor : anchors) entries.emplace_back(anchor.node, anchor.node, anchor_weight);
   Sparse matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
   return matrix;
 }
 
-Eigen::MatrixX3d right_side(const Cloth& cloth, const Body& model, const Pull& pull, const std::vector<Anchor>& anchors, double stiffness) {
-  Eigen::MatrixX3d right(model.nodes.size(), 3);
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    Vec3 sum = 1e-9 * cloth.nodes[i];
-    for (int j : model.neighbours[i]) {
-      const Mat3 frame = 0.5 * (cloth.scales[i] * cloth.rotations[i] + cloth.scales[j] * cloth.rotations[j]);
-      sum += stiffness * (frame * (model.nodes[i] - model.nodes[j]));
-    }
-    if (i < pull.mass.size()) sum += pull.mass[i] * pull.place[i];
-    right.row(i) = sum;
+// Where every node is drawn, and how strongly: by the data's samples, by anchors, and a trace to where it is.
+struct Draw {
+  Eigen::VectorXd mass;
+  Eigen::MatrixX3d moment;  // mass times place
+};
+
+Draw draw_of(const Cloth& cloth, const Pull& pull, const std::vector<Anchor>& anchors, double stiffness) {
+  constexpr double trace = 1e-9;
+  const auto n = static_cast<Eigen::Index>(cloth.nodes.size());
+  Draw draw{Eigen::VectorXd::Constant(n, trace), Eigen::MatrixX3d(n, 3)};
+  for (Eigen::Index i = 0; i < n; ++i) draw.moment.row(i) = trace * cloth.nodes[i];
+  const auto add = [&](std::size_t node, double mass, const Vec3& place) {
+    draw.mass[node] += mass / stiffness;
+    draw.moment.row(node) += mass / stiffness * place;
+  };
+  for (std::size_t i = 0; i < pull.mass.size(); ++i) add(i, pull.mass[i], pull.place[i]);
+  for (const Anchor& anchor : anchors) add(anchor.node, anchor_weight, anchor.place);
+  return draw;
+}
+
+// Laplacian of the rest shape, turned and scaled by the local frames, and the draw.
+Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& draw) {
+  Eigen::MatrixX3d right = draw.moment;
+  std::vector<Mat3> half_frames(cloth.nodes.size());
+  for (std::size_t i = 0; i < half_frames.size(); ++i) half_frames[i] = 0.5 * cloth.scales[i] * cloth.rotations[i];
+  for (std::size_t i = 0; i < half_frames.size(); ++i) {
+    Vec3 sum = Vec3::Zero();
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) sum -= (half_frames[i] + half_frames[edges.other[e]]) * edges.vector[e];
+    right.row(i) += sum;
   }
-  for (const Anchor& anchor : anchors) right.row(anchor.node) += anchor_weight * anchor.place;
   return right;
+}
+
+SampleBlocks blocks_of(const std::vector<SurfaceSample>& data) {
+  std::vector<Vec3> places, normals;
+  for (const SurfaceSample& s : data) places.push_back(s.position), normals.push_back(s.normal);
+  return make_blocks(places, normals);
 }
 
 }  // namespace
@@ -140,26 +188,29 @@ Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chira
   for (const Vec3& node : model.nodes) cloth.nodes.push_back(data_from_model(node));
   cloth.rotations.assign(model.nodes.size(), data_from_model.similarity.rotation);
   cloth.scales.assign(model.nodes.size(), cloth.scale);
-  fit_local_frames(cloth, model);
+  fit_local_frames(cloth, edges_of(model));
   return cloth;
 }
 
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
-  const Samples samples = rows_of(data);
+  const SampleBlocks samples = blocks_of(data);
+  const Edges edges = edges_of(model);
+  const Sparse laplacian = laplacian_of(edges);
+  Sparse system = laplacian;
   Eigen::SimplicialLDLT<Sparse> solver;
+  solver.analyzePattern(system);
   for (int step = 0; step < schedule.iterations; ++step) {
     const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
     const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
     const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
-    const Pull pull = assign(cloth, model, samples, reach);
-    const Sparse matrix = system_matrix(model, pull, anchors, stiffness);
-    if (step == 0) solver.analyzePattern(matrix);
-    solver.factorize(matrix);
+    const Draw draw = draw_of(cloth, assign(cloth, model, samples, reach), anchors, stiffness);
+    system.diagonal() = laplacian.diagonal() + draw.mass;
+    solver.factorize(system);
     for (int inner = 0; inner < shape_steps; ++inner) {
-      const Eigen::MatrixX3d places = solver.solve(right_side(cloth, model, pull, anchors, stiffness));
+      const Eigen::MatrixX3d places = solver.solve(right_side(cloth, edges, draw));
       for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.nodes[i] = places.row(i);
-      fit_local_frames(cloth, model);
+      fit_local_frames(cloth, edges);
     }
   }
 }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "homolog/match/sample_blocks.h"
+
 namespace homolog {
 namespace {
 
@@ -16,37 +18,35 @@ struct Nearest {
   bool agrees = false;  // normals within 60 degrees
 };
 
-Nearest nearest(const Vec3& place, const Vec3& normal, const std::vector<Vec3>& places, const std::vector<Vec3>& normals) {
-  Nearest result;
-  std::size_t best = 0;
-  double square = std::numeric_limits<double>::infinity();
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const double d = (places[k] - place).squaredNorm();
-    if (d < square) {
-      square = d;
-      best = k;
-    }
-  }
-  if (places.empty()) return result;
-  result.distance = std::sqrt(square);
-  result.plane_distance = std::abs((places[best] - place).dot(normals[best]));
-  result.agrees = normal.dot(normals[best]) > 0.5;
-  return result;
+struct Skin {
+  std::vector<Vec3> places, normals;
+  double spacing;
+  SampleBlocks blocks;
+};
+
+Nearest nearest(const Vec3& place, const Vec3& normal, const Skin& skin) {
+  const NearestSample found = nearest_sample(skin.blocks, place);
+  if (found.sample < 0) return {};
+  const Vec3 &there = skin.places[found.sample], &facing = skin.normals[found.sample];
+  return {std::abs((there - place).dot(facing)), found.distance, normal.dot(facing) > 0.5};
 }
 
-double typical_spacing(const std::vector<Vec3>& places) {
-  std::vector<double> distances;
-  for (const Vec3& p : places) {
-    double square = std::numeric_limits<double>::infinity();
-    for (const Vec3& q : places) {
-      const double d = (p - q).squaredNorm();
-      if (d > 0) square = std::min(square, d);
-    }
-    distances.push_back(std::sqrt(square));
+Skin mapped_skin(const Cloth& cloth, const Body& model) {
+  Skin skin;
+  for (std::size_t i = 0; i < model.surface_count; ++i) {
+    skin.places.push_back(cloth.nodes[i]);
+    skin.normals.emplace_back(cloth.rotations[i] * model.normals[i]);
   }
-  if (distances.empty()) return 0;
-  std::nth_element(distances.begin(), distances.begin() + distances.size() / 2, distances.end());
-  return distances[distances.size() / 2];
+  skin.spacing = typical_spacing(skin.places);
+  skin.blocks = make_blocks(skin.places, skin.normals);
+  return skin;
+}
+
+Skin skin_of(const Shape& data) {
+  Skin skin{positions_of(data.surface), {}, data.surface_spacing, {}};
+  for (const SurfaceSample& s : data.surface) skin.normals.push_back(s.normal);
+  skin.blocks = make_blocks(skin.places, skin.normals);
+  return skin;
 }
 
 double edge_stretch(const Cloth& cloth, const Body& model) {
@@ -64,33 +64,26 @@ double edge_stretch(const Cloth& cloth, const Body& model) {
 
 }  // namespace
 
-Evidence weigh(const Cloth& cloth, const Body& model, double model_diagonal, const std::vector<SurfaceSample>& data, double data_diagonal) {
-  const double extent = std::min(data_diagonal, cloth.scale * model_diagonal), reach = reach_share * extent;
-  std::vector<Vec3> skin, skin_normals, places, normals;
-  for (std::size_t i = 0; i < model.surface_count; ++i) {
-    skin.push_back(cloth.nodes[i]);
-    skin_normals.push_back(cloth.rotations[i] * model.normals[i]);
-  }
-  for (const SurfaceSample& s : data) {
-    places.push_back(s.position);
-    normals.push_back(s.normal);
-  }
-  const double data_spacing = typical_spacing(places), skin_spacing = typical_spacing(skin);
+Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
+  const double extent = std::min(data.diagonal, cloth.scale * model.diagonal), reach = reach_share * extent;
+  const Skin cloth_skin = mapped_skin(cloth, model.body), data_skin = skin_of(data);
   Evidence evidence;
   double model_hits = 0, near = 0, data_hits = 0;
-  for (std::size_t i = 0; i < skin.size(); ++i) {
-    const Nearest n = nearest(skin[i], skin_normals[i], places, normals);
-    if (n.agrees && n.plane_distance < reach && n.distance < reach + data_spacing) ++model_hits;
+  const auto hits = [&](const Nearest& n, const Skin& other) {
+    return n.agrees && n.plane_distance < reach && n.distance < reach + other.spacing;
+  };
+  for (std::size_t i = 0; i < cloth_skin.places.size(); ++i) {
+    if (hits(nearest(cloth_skin.places[i], cloth_skin.normals[i], data_skin), data_skin)) ++model_hits;
   }
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const Nearest n = nearest(places[k], normals[k], skin, skin_normals);
+  for (std::size_t k = 0; k < data_skin.places.size(); ++k) {
+    const Nearest n = nearest(data_skin.places[k], data_skin.normals[k], cloth_skin);
     if (n.distance < near_share * extent) ++near;
-    if (n.agrees && n.plane_distance < reach && n.distance < reach + skin_spacing) ++data_hits;
+    if (hits(n, cloth_skin)) ++data_hits;
   }
-  if (!skin.empty()) evidence.model_reached = model_hits / static_cast<double>(skin.size());
-  if (!places.empty()) evidence.data_reached = data_hits / static_cast<double>(places.size());
+  if (!cloth_skin.places.empty()) evidence.model_reached = model_hits / static_cast<double>(cloth_skin.places.size());
+  if (!data_skin.places.empty()) evidence.data_reached = data_hits / static_cast<double>(data_skin.places.size());
   if (near > 0) evidence.data_near_reached = data_hits / near;
-  evidence.stretch = edge_stretch(cloth, model);
+  evidence.stretch = edge_stretch(cloth, model.body);
   return evidence;
 }
 

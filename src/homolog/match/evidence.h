@@ -3,13 +3,14 @@
 // cannot tell a right map from a flipped one; reach in both directions together with stretch can.
 #pragma once
 
+#include "homolog/describe/shape.h"
 #include "homolog/match/cloth.h"
 #include "homolog/match/match.h"
 
 namespace homolog {
 
 /// Shares of the skin samples and edges; all from 0 (bad) to 1 (good) but stretch.
-Evidence weigh(const Cloth& cloth, const Body& model, double model_diagonal, const std::vector<SurfaceSample>& data, double data_diagonal);
+Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 
 /// One number that orders the matches of a pair of shapes: reach both ways, less stretch, and a little for the pairs that agreed before.
 /// Weights by conditional logistic regression within pairs; any within 30 % of them order as well.

@@ -55,7 +55,7 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
 
 void weigh_again(Refined& refined, const Shape& model, const Shape& data) {
   const double growth_score = refined.evidence.growth_score;
-  refined.evidence = weigh(refined.cloth, model.body, model.diagonal, data.surface, data.diagonal);
+  refined.evidence = weigh(refined.cloth, model, data);
   refined.evidence.growth_score = growth_score;
   refined.confidence = confidence_of(refined.evidence);
 }

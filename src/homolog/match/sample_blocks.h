@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Surface samples in blocks of neighbours: blocks too far away are passed over whole, the others reckoned sixteen samples at a time.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <vector>
+
+#include "homolog/base/vec.h"
+
+namespace homolog {
+
+constexpr int block_size = 16;
+using BlockFloats = Eigen::Array<float, block_size, 1>;
+
+struct SampleBlock {
+  BlockFloats x, y, z;     ///< places, relative to SampleBlocks::middle; far away where the block is not full
+  BlockFloats nx, ny, nz;  ///< normals
+  std::array<int, block_size> sample;
+  Eigen::Vector3f centre;
+  float radius = 0;  ///< of a ball about `centre` that holds all places
+};
+
+/// Single precision suffices because places are relative to the middle.
+struct SampleBlocks {
+  std::vector<SampleBlock> blocks;
+  Vec3 middle = Vec3::Zero();
+};
+
+/// Halves the samples across their longest side until a block holds each piece.
+SampleBlocks make_blocks(const std::vector<Vec3>& places, const std::vector<Vec3>& normals);
+
+/// Squared distances from a place, relative to the middle, to the samples of a block.
+BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place);
+
+struct NearestSample {
+  int sample = -1;  ///< -1: there are no samples
+  double distance = 0;
+};
+
+NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place);
+
+}  // namespace homolog
