@@ -6,6 +6,7 @@
 #include "homolog/match/axis_starts.h"
 #include "homolog/match/candidates.h"
 #include "homolog/match/clique_growth.h"
+#include "homolog/match/end_starts.h"
 #include "homolog/match/family.h"
 #include "homolog/match/growth.h"
 #include "homolog/match/seeds.h"
@@ -20,7 +21,8 @@ namespace {
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
 constexpr std::size_t sets_of_a_chirality = 24;
-constexpr std::size_t starts_of_a_chirality = 4;
+constexpr std::size_t axis_starts_of_a_chirality = 4;
+constexpr std::size_t end_starts_of_a_chirality = 12;
 
 // Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
 std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model,
@@ -29,8 +31,10 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirali
   parallel_for(seeds.size(),
                [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
   sets = distinct_sets(std::move(sets), sets_of_a_chirality);
-  const std::vector<GrownSet> starts = axis_starts(model, data, chirality, starts_of_a_chirality);
+  const std::vector<GrownSet> starts = axis_starts(model, data, chirality, axis_starts_of_a_chirality);
   sets.insert(sets.end(), starts.begin(), starts.end());
+  const std::vector<GrownSet> by_ends = end_starts(model, data, chirality, end_starts_of_a_chirality);
+  sets.insert(sets.end(), by_ends.begin(), by_ends.end());
   return sets;
 }
 
@@ -108,6 +112,7 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   shape.descriptors = compute_descriptors(shape.interior, shape.points, params.descriptor);  // Sec. 5.2
   lap(watch, "descriptors", shape.points.size(), "points");
   shape.body = build_body(shape.interior, shape.surface, body_samples, shape.points);
+  shape.ends = find_ends(shape.body);
   shape.inner_distance = inner_distances(shape.body, shape.interior);
   lap(watch, "body", shape.body.nodes.size(), "nodes");
   return shape;

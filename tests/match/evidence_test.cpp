@@ -74,7 +74,7 @@ TEST(Evidence, MeritAndConfidenceRiseTogether) {
   Evidence better_reach = middling, less_stretch = middling, more_pairs = middling;
   better_reach.data_near_reached = 0.8;
   less_stretch.stretch = 0.1;
-  more_pairs.growth_score = 8;
+  more_pairs.support = 8;
   for (const Evidence& better : {better_reach, less_stretch, more_pairs}) {
     EXPECT_GT(merit_of(better), merit_of(middling));
     EXPECT_GT(confidence_of(better), confidence_of(middling));

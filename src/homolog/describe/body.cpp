@@ -61,6 +61,25 @@ void join_nodes(const Interior& interior, Body& body) {
   }
 }
 
+}  // namespace
+
+Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
+                const std::vector<SalientPoint>& points) {
+  Body body;
+  body.surface_count = std::min(surface_count, samples.size());
+  for (std::size_t i = 0; i < body.surface_count; ++i) {
+    body.nodes.push_back(samples[i].position);
+    body.normals.push_back(samples[i].normal);
+  }
+  body.spacing = typical_spacing(body.nodes);
+  for (const SalientPoint& point : points) {
+    body.nodes.push_back(point.position);
+    body.normals.emplace_back(Vec3::Zero());
+  }
+  join_nodes(interior, body);
+  return body;
+}
+
 std::vector<double> shortest_ways(const Body& body, int source) {
   std::vector<double> way(body.nodes.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
@@ -79,25 +98,6 @@ std::vector<double> shortest_ways(const Body& body, int source) {
     }
   }
   return way;
-}
-
-}  // namespace
-
-Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
-                const std::vector<SalientPoint>& points) {
-  Body body;
-  body.surface_count = std::min(surface_count, samples.size());
-  for (std::size_t i = 0; i < body.surface_count; ++i) {
-    body.nodes.push_back(samples[i].position);
-    body.normals.push_back(samples[i].normal);
-  }
-  body.spacing = typical_spacing(body.nodes);
-  for (const SalientPoint& point : points) {
-    body.nodes.push_back(point.position);
-    body.normals.emplace_back(Vec3::Zero());
-  }
-  join_nodes(interior, body);
-  return body;
 }
 
 Eigen::MatrixXd inner_distances(const Body& body, const Interior& interior) {

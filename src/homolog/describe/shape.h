@@ -7,6 +7,7 @@
 
 #include "homolog/describe/body.h"
 #include "homolog/describe/descriptors.h"
+#include "homolog/describe/ends.h"
 #include "homolog/salient/salient_point.h"
 #include "homolog/shape/volume.h"
 
@@ -22,6 +23,7 @@ struct Shape {
   std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
   double surface_spacing = 0;          ///< typical distance of neighbouring samples
   Body body;                           ///< joins the first of these samples and the points inside the solid
+  Ends ends;                           ///< of the body
   Eigen::MatrixXd inner_distance;      ///< shortest ways inside, point to point
 };
 

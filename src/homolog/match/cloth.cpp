@@ -12,6 +12,7 @@ namespace homolog {
 namespace {
 
 constexpr double anchor_weight = 2;
+constexpr double flat_share = 0.05;    // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
 constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
 constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
 
@@ -20,16 +21,20 @@ struct Edges {
   std::vector<int> first, other;
   std::vector<Vec3> vector;    // from the node to the other one, at rest
   std::vector<double> square;  // sum of squared lengths, per node
+  std::vector<Mat3> inverse;   // of the sum of outer squares, made regular
 };
 
 Edges edges_of(const Body& model) {
-  Edges edges{{0}, {}, {}, std::vector<double>(model.nodes.size())};
+  Edges edges{{0}, {}, {}, std::vector<double>(model.nodes.size()), std::vector<Mat3>(model.nodes.size(), Mat3::Zero())};
   for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    Mat3 squares = Mat3::Zero();
     for (int j : model.neighbours[i]) {
       edges.other.push_back(j);
       edges.vector.push_back(model.nodes[j] - model.nodes[i]);
       edges.square[i] += edges.vector.back().squaredNorm();
+      squares += edges.vector.back() * edges.vector.back().transpose();
     }
+    if (edges.square[i] > 0) edges.inverse[i] = (squares + flat_share * edges.square[i] * Mat3::Identity()).inverse();
     edges.first.push_back(static_cast<int>(edges.other.size()));
   }
   return edges;
@@ -52,8 +57,20 @@ void turn_towards(const Mat3& covariance, Mat3& rotation) {
   }
 }
 
-// Best local rotations, and local scales half way between the measured one and the cloth's.
+// The mean of every node's and its neighbours'.
+std::vector<Mat3> smoothed(const std::vector<Mat3>& values, const Edges& edges) {
+  std::vector<Mat3> means = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) means[i] += values[edges.other[e]];
+    means[i] /= 1 + edges.first[i + 1] - edges.first[i];
+  }
+  return means;
+}
+
+// Best local rotations, and local scales and stretches half way between the measured ones and the cloth's scale: a limb may become
+// longer without becoming thicker.
 void fit_local_frames(Cloth& cloth, const Edges& edges) {
+  std::vector<Mat3> stretch(cloth.nodes.size(), cloth.scale * Mat3::Identity());
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
     if (edges.square[i] == 0) continue;
     Mat3 covariance = Mat3::Zero();
@@ -66,7 +83,12 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
     turn_towards(covariance, cloth.rotations[i]);
     const double measured = std::clamp(std::sqrt(after / edges.square[i]), 0.25 * cloth.scale, 4 * cloth.scale);
     cloth.scales[i] = std::sqrt(measured * cloth.scale);
+    const Mat3 turned_back = cloth.rotations[i].transpose() * covariance;
+    const Mat3 gradient = (turned_back + flat_share * edges.square[i] * cloth.scale * Mat3::Identity()) * edges.inverse[i];
+    stretch[i] = 0.5 * cloth.scale * Mat3::Identity() + 0.25 * (gradient + gradient.transpose());
   }
+  stretch = smoothed(stretch, edges);
+  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];
 }
 
 // What the data's samples ask of every skin node: a place, and how strongly.
@@ -160,15 +182,13 @@ Draw draw_of(const Cloth& cloth, const Pull& pull, const std::vector<Anchor>& an
   return draw;
 }
 
-// Laplacian of the rest shape, turned and scaled by the local frames, and the draw.
+// Laplacian of the rest shape laid by the local frames, and the draw.
 Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& draw) {
   Eigen::MatrixX3d right = draw.moment;
-  std::vector<Mat3> half_frames(cloth.nodes.size());
-  for (std::size_t i = 0; i < half_frames.size(); ++i) half_frames[i] = 0.5 * cloth.scales[i] * cloth.rotations[i];
-  for (std::size_t i = 0; i < half_frames.size(); ++i) {
+  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
     Vec3 sum = Vec3::Zero();
-    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) sum -= (half_frames[i] + half_frames[edges.other[e]]) * edges.vector[e];
-    right.row(i) += sum;
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) sum += (cloth.frames[i] + cloth.frames[edges.other[e]]) * edges.vector[e];
+    right.row(i) -= 0.5 * sum;
   }
   return right;
 }
@@ -188,6 +208,7 @@ Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chira
   for (const Vec3& node : model.nodes) cloth.nodes.push_back(data_from_model(node));
   cloth.rotations.assign(model.nodes.size(), data_from_model.similarity.rotation);
   cloth.scales.assign(model.nodes.size(), cloth.scale);
+  cloth.frames.assign(model.nodes.size(), cloth.scale * data_from_model.similarity.rotation);
   fit_local_frames(cloth, edges_of(model));
   return cloth;
 }

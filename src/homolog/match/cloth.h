@@ -16,6 +16,7 @@ struct Cloth {
   std::vector<Vec3> nodes;      ///< mapped Body::nodes, data coordinates
   std::vector<Mat3> rotations;  ///< local, of the wanted chirality
   std::vector<double> scales;   ///< local
+  std::vector<Mat3> frames;     ///< how the body's edges lie there: rotation times stretch, which follows the measured one half way
   Chirality chirality = Chirality::proper;
   double scale = 1;  ///< of the whole
 };

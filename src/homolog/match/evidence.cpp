@@ -89,9 +89,9 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
 
 double merit_of(const Evidence& evidence) {
   const double both = std::sqrt(evidence.model_reached * evidence.data_near_reached);
-  return 1.5 * both - evidence.stretch + 0.015 * evidence.growth_score;
+  return 2.2 * both - evidence.stretch + 0.047 * evidence.support;
 }
 
-double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(13.7 - 12.5 * merit_of(evidence))); }
+double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(9.8 - 5 * merit_of(evidence))); }
 
 }  // namespace homolog

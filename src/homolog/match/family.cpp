@@ -16,7 +16,7 @@ constexpr std::size_t least_grown = 3;    // but guiding may find them their fou
 constexpr std::size_t guided = 16;        // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double near_tie = 0.1;          // merit within which the other handedness makes a match ambiguous
-constexpr double mirror_handicap = 0.06;  // merit by which a mirrored match must be better to come first
+constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
@@ -70,7 +70,7 @@ bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const S
 
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
   std::vector<Refined> refined(sets.size());
-  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data); });
+  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data, params.descriptor.kind); });
   refined = without_duplicates(std::move(refined), model, data);
   refined.resize(std::min(refined.size(), guided));
   parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });

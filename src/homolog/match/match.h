@@ -27,7 +27,7 @@ struct Evidence {
   double data_reached = 0;       ///< share of the data's skin on which the model comes to lie
   double data_near_reached = 0;  ///< the same, of the data's skin near the mapped model
   double stretch = 0;            ///< spread of the logarithms of how lengths inside the body change
-  double growth_score = 0;       ///< of the set before refinement
+  double support = 0;            ///< number of salient points that the map pairs, each counted by how well it fits
 };
 
 enum class Handedness { proper, mirrored, ambiguous };

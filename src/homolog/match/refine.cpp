@@ -6,6 +6,7 @@
 
 #include "homolog/match/evidence.h"
 #include "homolog/match/guided_pairs.h"
+#include "homolog/match/trusted_pairs.h"
 
 namespace homolog {
 namespace {
@@ -53,10 +54,9 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
   return spline.energy / (spline.similarity.scale * spline.similarity.scale * model_diagonal);
 }
 
-void weigh_again(Refined& refined, const Shape& model, const Shape& data) {
-  const double growth_score = refined.evidence.growth_score;
+void weigh_again(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.evidence = weigh(refined.cloth, model, data);
-  refined.evidence.growth_score = growth_score;
+  for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, 1)) refined.evidence.support += c.confidence;
   refined.confidence = confidence_of(refined.evidence);
 }
 
@@ -72,11 +72,10 @@ double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
   return std::min(data.diagonal, cloth.scale * model.diagonal);
 }
 
-Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data) {
+Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind) {
   Refined refined{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};
-  refined.evidence.growth_score = set.score;
   draw(refined, model, data, first_draw);
-  weigh_again(refined, model, data);
+  weigh_again(refined, model, data, kind);
   return refined;
 }
 
@@ -85,7 +84,9 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, widening);
     draw(refined, model, data, next_draw);
   }
-  weigh_again(refined, model, data);
+  weigh_again(refined, model, data, kind);
+  const double extent = extent_of(refined.cloth, model, data);
+  refined.pairs = trusted_pairs(std::move(refined.pairs), refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
 }
 
 Match match_of(const Refined& refined, const Shape& model) {
@@ -99,7 +100,6 @@ Match match_of(const Refined& refined, const Shape& model) {
   match.confidence = refined.confidence;
   match.model_coverage = match.evidence.model_reached;
   match.data_coverage = match.evidence.data_reached;
-  for (Correspondence& c : match.pairs) c.confidence *= match.confidence;
   return match;
 }
 

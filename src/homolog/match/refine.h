@@ -18,7 +18,7 @@ struct Refined {
 };
 
 /// Lays the set and draws it on to the data.
-Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data);
+Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind);
 
 /// Rounds of pairs guided by the cloth and of drawing with them.
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
