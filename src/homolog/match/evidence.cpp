@@ -92,6 +92,6 @@ double merit_of(const Evidence& evidence) {
   return 2.2 * both - evidence.stretch + 0.047 * evidence.support;
 }
 
-double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(9.8 - 5 * merit_of(evidence))); }
+double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(10.7 - 5.65 * merit_of(evidence))); }
 
 }  // namespace homolog

@@ -12,8 +12,8 @@ namespace homolog {
 /// Shares of the skin samples and edges; all from 0 (bad) to 1 (good) but stretch.
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// One number that orders the matches of a pair of shapes: reach both ways, less stretch, and a little for the pairs that agreed before.
-/// Weights by conditional logistic regression within pairs; any within 30 % of them order as well.
+/// One number that orders the matches of a pair of shapes: reach both ways, less stretch, and a little for every salient point paired.
+/// Weights by conditional logistic regression within 174 pairs of real shapes.
 double merit_of(const Evidence& evidence);
 
 /// Probability that the best match of a pair is right, logistic in its merit; fitted to the first places of 176 real pairs.
