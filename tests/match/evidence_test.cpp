@@ -77,10 +77,19 @@ TEST(Evidence, MeritAndConfidenceRiseTogether) {
   more_pairs.support = 8;
   for (const Evidence& better : {better_reach, less_stretch, more_pairs}) {
     EXPECT_GT(merit_of(better), merit_of(middling));
-    EXPECT_GT(confidence_of(better), confidence_of(middling));
+    EXPECT_GT(confidence_of(better, Chirality::proper), confidence_of(middling, Chirality::proper));
   }
-  EXPECT_GT(confidence_of({1, 1, 1, 0, 10}), 0.9);
-  EXPECT_LT(confidence_of({}), 0.01);
+  EXPECT_GT(confidence_of({1, 1, 1, 0, 10}, Chirality::proper), 0.9);
+  EXPECT_LT(confidence_of({}, Chirality::proper), 0.01);
+}
+
+TEST(Evidence, AMirroredMatchMustBeBetterToBeAsCredible) {
+  const Evidence evidence{0.7, 0.7, 0.7, 0.2, 5};
+  Evidence better = evidence;
+  better.stretch = 0;
+  EXPECT_LT(rank_merit(evidence, Chirality::mirrored), rank_merit(evidence, Chirality::proper));
+  EXPECT_LT(confidence_of(evidence, Chirality::mirrored), confidence_of(evidence, Chirality::proper));
+  EXPECT_GT(confidence_of(better, Chirality::mirrored), confidence_of(evidence, Chirality::proper));
 }
 
 TEST(Evidence, NothingReachesNothing) {

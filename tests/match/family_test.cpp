@@ -63,6 +63,16 @@ TEST(Family, AMirrorSymmetricBodyIsAmbiguous) {
   EXPECT_GT(both[0].similarity.rotation.determinant(), 0);  // of equals the proper one comes first
 }
 
+TEST(Family, ConfidencesFallThoughAMirroredMatchIsAShadeBetter) {
+  const auto humped = [](double side) { return described(join({quadruped(), ball({0, side * 0.22, 0.05}, 0.1)})); };
+  const Shape model = humped(1), data = humped(-1);
+  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, model, data, coarse(), false);
+  ASSERT_EQ(both.size(), 2u);
+  EXPECT_GT(both[0].similarity.rotation.determinant(), 0);
+  EXPECT_LT(merit_of(both[0].evidence), merit_of(both[1].evidence));
+  EXPECT_GT(both[0].confidence, both[1].confidence);
+}
+
 TEST(Family, MirrorParameterLeavesOneChirality) {
   const std::vector<GrownSet> sets = {start({}), start({1, mirror_y, Vec3::Zero()})};
   for (const Mirror mirror : {Mirror::forbid, Mirror::only}) {

@@ -30,7 +30,7 @@ TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
   ASSERT_EQ(refined.pairs.size(), shape().points.size());
   EXPECT_GT(refined.evidence.support, 0.8 * static_cast<double>(shape().points.size()));
   for (const Correspondence& c : refined.pairs) EXPECT_EQ(c.model, c.data);
-  EXPECT_EQ(refined.confidence, confidence_of(refined.evidence));
+  EXPECT_EQ(refined.confidence, confidence_of(refined.evidence, Chirality::proper));
 }
 
 TEST(Refine, TheMatchTellsItsClothAsASpline) {

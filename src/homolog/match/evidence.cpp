@@ -10,8 +10,9 @@
 namespace homolog {
 namespace {
 
-constexpr double reach_share = 0.02;  // of the mapped model's diagonal: so near counts as reached
-constexpr double near_share = 0.1;    // so near, data counts as the part the model should explain
+constexpr double reach_share = 0.02;      // of the mapped model's diagonal: so near counts as reached
+constexpr double near_share = 0.1;        // so near, data counts as the part the model should explain
+constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
 
 struct Nearest {
   double plane_distance = std::numeric_limits<double>::infinity(), distance = plane_distance;
@@ -92,6 +93,12 @@ double merit_of(const Evidence& evidence) {
   return 2.2 * both - evidence.stretch + 0.047 * evidence.support;
 }
 
-double confidence_of(const Evidence& evidence) { return 1 / (1 + std::exp(10.7 - 5.65 * merit_of(evidence))); }
+double rank_merit(const Evidence& evidence, Chirality chirality) {
+  return merit_of(evidence) - (chirality == Chirality::mirrored ? mirror_handicap : 0);
+}
+
+double confidence_of(const Evidence& evidence, Chirality chirality) {
+  return 1 / (1 + std::exp(10.7 - 5.65 * rank_merit(evidence, chirality)));
+}
 
 }  // namespace homolog

@@ -16,7 +16,11 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 /// Weights by conditional logistic regression within 174 pairs of real shapes.
 double merit_of(const Evidence& evidence);
 
-/// Probability that the best match of a pair is right, logistic in its merit; fitted to the first places of 176 real pairs.
-double confidence_of(const Evidence& evidence);
+/// What the family is ordered by: the merit, less a handicap for mirrored matches, which are rarely meant.
+double rank_merit(const Evidence& evidence, Chirality chirality);
+
+/// Probability that the best match of a pair is right, logistic in its rank merit, so that it falls along a family; fitted to the first
+/// places of 176 real pairs.
+double confidence_of(const Evidence& evidence, Chirality chirality);
 
 }  // namespace homolog

@@ -11,12 +11,11 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t least_pairs = 4;    // three are unlikely to define good matchings (Sec. 6.2)
-constexpr std::size_t least_grown = 3;    // but guiding may find them their fourth
-constexpr std::size_t guided = 16;        // so many of the drawn sets are worth guiding
-constexpr double same_map = 0.05;         // mean distance of two maps, in extents of the mapped model, below which they are one
-constexpr double near_tie = 0.1;          // merit within which the other handedness makes a match ambiguous
-constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
+constexpr std::size_t least_pairs = 4;  // three are unlikely to define good matchings (Sec. 6.2)
+constexpr std::size_t least_grown = 3;  // but guiding may find them their fourth
+constexpr std::size_t guided = 16;      // so many of the drawn sets are worth guiding
+constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
+constexpr double near_tie = 0.1;        // merit within which the other handedness makes a match ambiguous
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
@@ -30,10 +29,9 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
-double rank_value(const Refined& r) { return merit_of(r.evidence) - (r.cloth.chirality == Chirality::mirrored ? mirror_handicap : 0); }
-
 bool better(const Refined& a, const Refined& b) {
-  if (rank_value(a) != rank_value(b)) return rank_value(a) > rank_value(b);
+  const double merit_a = rank_merit(a.evidence, a.cloth.chirality), merit_b = rank_merit(b.evidence, b.cloth.chirality);
+  if (merit_a != merit_b) return merit_a > merit_b;
   return a.pairs.size() > b.pairs.size();
 }
 

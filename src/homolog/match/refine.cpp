@@ -57,7 +57,7 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
 void weigh_again(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.evidence = weigh(refined.cloth, model, data);
   for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, 1)) refined.evidence.support += c.confidence;
-  refined.confidence = confidence_of(refined.evidence);
+  refined.confidence = confidence_of(refined.evidence, refined.cloth.chirality);
 }
 
 void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule) {
