@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Vectors of 16 floats, which the compiler splits into what the processor at hand has: 16, 8 or 4 at once, chosen at run time. There must
-// be no fused multiply-add, whose rounding differs: CMakeLists.txt forbids it to the compiler.
+// be no fused multiply-add, whose rounding differs: CMakeLists.txt forbids it to the compiler. Under ThreadSanitizer there is no choice: it
+// is made before that sanitizer has started, and crashes.
 #include "homolog/salient/row_sums.h"
 
-#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__linux__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_THREAD__)
 #define HOMOLOG_WIDEST_CLONE __attribute__((target_clones("avx512f", "avx2", "default")))
 #else
 #define HOMOLOG_WIDEST_CLONE
