@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The program as a user meets it: exit codes, messages, files. In: the program, its version, the folder of the examples' programs.
-# Standard library only.
+# The program as a user meets it: exit codes, messages, files.
 import csv
 import json
 import math
@@ -10,15 +9,11 @@ import resource
 import shlex
 import signal
 import subprocess
-import sys
-import tempfile
 import unittest
 
-import bear
+from program import COARSE, EXAMPLES, PROGRAM, VERSION, Program, main
 
-PROGRAM, VERSION, EXAMPLES = os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3])
-VERBS = ("match", "symmetry", "points", "params")
-COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
+VERBS = ("match", "symmetry", "points", "transfer", "params")
 MATCH_FILES = {"match.json", "parts.json", "model.part.ply", "data.part.ply", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
 POINT_FILES = {"points.json", "points.csv", "points.mrk.json", "report.html"}
 
@@ -29,32 +24,6 @@ def warped(warp, x):
     phi = [math.dist(x, centre) ** power for centre in warp["centres"]]
     straight = [sum(a * b for a, b in zip(row, (*x, 1))) for row in warp["affine"]]
     return [f + sum(w[axis] * p for w, p in zip(warp["weights"], phi)) for axis, f in enumerate(straight)]
-
-
-class Program(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        bear.write_all(self.folder.name)
-
-    def run_it(self, *words, **how):
-        how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
-        return subprocess.run([PROGRAM, *words], cwd=self.folder.name, text=True, timeout=300, **how)
-
-    def path(self, *names):
-        return os.path.join(self.folder.name, *names)
-
-    def read(self, *names):
-        with open(self.path(*names)) as file:
-            return file.read()
-
-    def expect_message(self, code, part, *words):
-        """The exit code, one sentence on stderr that holds `part`, and nothing on stdout."""
-        done = self.run_it(*words)
-        self.assertEqual(done.returncode, code, done.stderr)
-        self.assertRegex(done.stderr, r"\Ahomolog: [^\n]+\n\Z")
-        self.assertIn(part, done.stderr)
-        self.assertEqual(done.stdout, "")
 
 
 class Usage(Program):
@@ -72,7 +41,7 @@ class Usage(Program):
         self.expect_message(2, "did you mean '--resolution'", "match", "bear.off", "bear.off", "--resolutoin", "64")
         self.expect_message(2, "did you mean '--mirror'", "match", "--miror=only", "bear.off")
         self.expect_message(2, "unknown option '--frobnicate'", "points", "bear.off", "--frobnicate")
-        self.expect_message(2, "match, symmetry, points or params")
+        self.expect_message(2, "match, symmetry, points, transfer or params")
         self.expect_message(2, "MODEL is required", "match")
         self.expect_message(2, "DATA", "match", "bear.off")
         self.expect_message(2, "--self", "match", "bear.off", "bear.off", "--self")
@@ -273,12 +242,17 @@ class Results(Program):
 
 class Examples(Program):
     def test_every_example_of_the_help_runs(self):
+        with open(self.path("landmarks.csv"), "w") as file:
+            file.write("label,x,y,z\nnose,0,1.3,0.98\n")
+        with open(self.path("landmarks.mrk.json"), "w") as file:
+            json.dump({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "nose", "position": [0, 1.3, 0.98]}]}]}, file)
         lines = [line.strip() for words in ((), *((verb,) for verb in VERBS)) for line in self.run_it(*words, "--help").stdout.splitlines()]
         examples = [shlex.split(line)[1:] for line in dict.fromkeys(lines) if line.startswith("homolog ")]
         self.assertGreater(len(examples), 10)
         for words in examples:
             with self.subTest(" ".join(words)):
-                done = self.run_it(*words, *(COARSE if words[0] != "params" and "--resolution" not in words else ()))
+                coarse = words[0] not in ("params", "transfer") and "--resolution" not in words
+                done = self.run_it(*words, *(COARSE if coarse else ()))
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertNotEqual(done.stdout, "")
 
@@ -290,4 +264,4 @@ class Examples(Program):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1] + sys.argv[4:])
+    main()

@@ -3,11 +3,27 @@
 // the same number back; keys keep their order.
 #pragma once
 
+#include <fmt/format.h>
+
 #include <nlohmann/json.hpp>
 #include <string>
+
+#include "homolog/base/errors.h"
 
 namespace homolog {
 
 std::string json_text(const nlohmann::ordered_json& value);
+
+/// What `read` makes of a file's JSON. Whatever the library objects to becomes a FileError that names the file and what it should be.
+template <class Read>
+auto read_json(const std::string& text, const std::string& file, const char* kind, const Read& read) {
+  try {
+    return read(nlohmann::ordered_json::parse(text));
+  } catch (const nlohmann::json::exception& error) {
+    const std::string reason = error.what();  // begins with the library's own number in brackets
+    throw FileError(
+        fmt::format("{}: this is not a file of {} ({}); it is another one or damaged", file, kind, reason.substr(reason.find("] ") + 2)));
+  }
+}
 
 }  // namespace homolog

@@ -4,16 +4,10 @@
 
 #include <fmt/format.h>
 
-#include "homolog/outputs/json_text.h"
+#include "homolog/outputs/markups.h"
 
 namespace homolog {
 namespace {
-
-using nlohmann::ordered_json;
-
-// As Slicer itself writes it, lower-case organisation and closing '#' included: its reader looks for the version in there.
-constexpr const char* kMarkupsSchema =
-    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#";
 
 std::vector<Landmark> pair_landmarks(const Match& match, SalientPoint Correspondence::*side) {
   std::vector<Landmark> landmarks;
@@ -26,18 +20,6 @@ std::vector<Landmark> pair_landmarks(const Match& match, SalientPoint Correspond
 std::string description(const Landmark& landmark) {
   const std::string text = fmt::format("radius {:.4g}, response {:.3f}", landmark.point.radius, landmark.point.response);
   return landmark.confidence ? text + fmt::format(", confidence {:.3f}", *landmark.confidence) : text;
-}
-
-ordered_json control_point(const Landmark& landmark, std::size_t number) {
-  const Vec3& x = landmark.point.position;
-  return {{"id", fmt::format("{}", number)},
-          {"label", landmark.label},
-          {"description", description(landmark)},
-          {"position", {x.x(), x.y(), x.z()}},
-          {"selected", true},
-          {"locked", false},
-          {"visibility", true},
-          {"positionStatus", "defined"}};
 }
 
 }  // namespace
@@ -63,13 +45,9 @@ std::string landmarks_csv(const std::vector<Landmark>& landmarks) {
 }
 
 std::string landmarks_markups(const std::vector<Landmark>& landmarks) {
-  ordered_json points = ordered_json::array();
-  for (const Landmark& landmark : landmarks) points.push_back(control_point(landmark, points.size() + 1));
-  ordered_json markup = {{"type", "Fiducial"}, {"coordinateSystem", "LPS"}, {"controlPoints", std::move(points)}};
-  ordered_json json;
-  json["@schema"] = kMarkupsSchema;
-  json["markups"] = ordered_json::array({std::move(markup)});
-  return json_text(json);
+  std::vector<MarkupPoint> points;
+  for (const Landmark& landmark : landmarks) points.push_back({landmark.label, description(landmark), landmark.point.position});
+  return markups_text(points);
 }
 
 }  // namespace homolog

@@ -7,12 +7,10 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
-#include <cctype>
-#include <fstream>
 
 #include "homolog/base/errors.h"
+#include "homolog/base/read_file.h"
 #include "homolog/shape/read_obj.h"
 #include "homolog/shape/read_off.h"
 #include "homolog/shape/read_ply.h"
@@ -22,37 +20,7 @@
 namespace homolog {
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{2} << 30;
 constexpr std::size_t most_triangles = 50'000'000;
-
-std::string lower_extension(const std::filesystem::path& path) {
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(), [](unsigned char c) { return std::tolower(c); });
-  return extension;
-}
-
-void check_file(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status)) throw FileError(fmt::format("{}: there is no such file; check the path", path.string()));
-  if (std::filesystem::is_directory(status)) throw FileError(fmt::format("{}: this is a directory; name a mesh file in it", path.string()));
-  const std::uintmax_t size = std::filesystem::file_size(path, error);
-  if (error) throw FileError(fmt::format("{}: this is not a regular file; save the mesh to one", path.string()));
-  if (size == 0) throw FileError(fmt::format("{}: the file is empty; export it again", path.string()));
-  if (size > largest_file) {
-    throw FileError(
-        fmt::format("{}: the file has {} bytes, more than the {} that are read; simplify the mesh", path.string(), size, largest_file));
-  }
-}
-
-std::string read_content(const std::filesystem::path& path) {
-  std::ifstream stream(path, std::ios::binary);
-  std::string content(std::filesystem::file_size(path), '\0');
-  if (!stream.read(content.data(), static_cast<std::streamsize>(content.size()))) {
-    throw FileError(fmt::format("{}: the file cannot be read; check its permissions", path.string()));
-  }
-  return content;
-}
 
 void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
   const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
@@ -117,13 +85,13 @@ Mesh read_mesh(const std::filesystem::path& path) {
   const std::string extension = lower_extension(path);
   Mesh mesh;
   if (extension == ".off") {
-    mesh = read_off(read_content(path), path.string());
+    mesh = read_off(read_file(path), path.string());
   } else if (extension == ".obj") {
-    mesh = read_obj(read_content(path), path.string());
+    mesh = read_obj(read_file(path), path.string());
   } else if (extension == ".ply") {
-    mesh = read_ply(read_content(path), path.string());
+    mesh = read_ply(read_file(path), path.string());
   } else if (extension == ".stl") {
-    mesh = weld(read_stl(read_content(path), path.string()));
+    mesh = weld(read_stl(read_file(path), path.string()));
   } else {
     mesh = read_by_assimp(path);
   }

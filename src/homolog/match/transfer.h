@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: points carried from one shape to the other by the warp of a match, each with how far it can be trusted.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "homolog/match/coverage.h"
+
+namespace homolog {
+
+/// Even samples of a surface and how surely each lies in the covered part (coverage.h).
+struct CoveredSamples {
+  std::vector<Vec3> positions;
+  std::vector<float> weights;
+};
+
+/// A match, as far as carrying points needs it.
+struct MatchMap {
+  ThinPlateSpline data_from_model;
+  std::vector<ThinPlateSpline> rivals;  ///< the maps of the three best other matches of its family
+  double scale = 1;
+  double model_diagonal = 0, data_diagonal = 0;
+  CoveredSamples model, data;  ///< empty: which part is covered is not known
+};
+
+/// The matches of a family, each with its rivals and the covered samples of `parts` (covered_parts()).
+std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape& model, const Shape& data,
+                                 const std::vector<MatchParts>& parts);
+
+/// Gives each its rivals; maps in the order of the family, best first.
+void set_rivals(std::vector<MatchMap>& family);
+
+enum class Direction { data_from_model, model_from_data };
+
+struct CarriedPoint {
+  Vec3 position;                   ///< where the map puts it
+  bool exact = true;               ///< false, backwards, where the map folds and has no inverse: then `position` is but near
+  double expected_error = 0;       ///< true errors are larger as often as smaller, if the match is right; unit of the shape carried to
+  std::optional<double> coverage;  ///< how surely the point belongs to the covered part, 0 to 1; none if that is not known
+
+  /// Whether it can be told at all: a point that is not is missing on the other shape, whatever the map says.
+  bool is_there() const { return exact && coverage.value_or(1) >= 0.5; }
+};
+
+/// Carries points, on the surface or off it. Coverage is that of the nearest samples, fading from .1 to .2 diagonals away from the surface.
+/// Backwards it is the inverse of the same map (Newton's method), so that points come back to
+/// where they were.
+std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<Vec3>& points, Direction direction);
+
+struct InversePlace {
+  Vec3 position;
+  bool exact;
+};
+
+/// f at its own centres.
+std::vector<Vec3> images_of_centres(const ThinPlateSpline& f);
+
+/// x with f(x) = y by Newton's method from the centre with the nearest image; not exact where it finds none and stays as near as it came.
+/// `images`: images_of_centres(f); `scale`: of the map as a whole.
+InversePlace inverse_at(const ThinPlateSpline& f, const std::vector<Vec3>& images, double scale, const Vec3& y);
+
+/// Median error to expect at a point, as a share of the matched extent: .184 sqrt((s + .02) (d + .01)). s = max |log(singular value of the
+/// gradient / scale)| is how far the map there is from the whole's similarity; d, a share too, how far the nearest image by another match
+/// lies: where two matches agree, both are likely right. Fitted to matches with known truth (docs/accuracy.md).
+double expected_error_share(const Mat3& gradient, double scale, double disagreement);
+
+}  // namespace homolog

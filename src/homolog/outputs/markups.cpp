@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/markups.h"
+
+#include <fmt/format.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/outputs/json_text.h"
+
+namespace homolog {
+namespace {
+
+using nlohmann::ordered_json;
+
+// As Slicer itself writes it, lower-case organisation and closing '#' included: its reader looks for the version in there.
+constexpr const char* kMarkupsSchema =
+    "https://raw.githubusercontent.com/slicer/slicer/master/Modules/Loadable/Markups/Resources/Schema/markups-schema-v1.0.3.json#";
+
+ordered_json control_point(const MarkupPoint& point, std::size_t number) {
+  ordered_json json = {{"id", fmt::format("{}", number)}, {"label", point.label}, {"description", point.description}};
+  if (point.position) json["position"] = {point.position->x(), point.position->y(), point.position->z()};
+  json["selected"] = true;
+  json["locked"] = false;
+  json["visibility"] = true;
+  json["positionStatus"] = point.position ? "defined" : "undefined";
+  return json;
+}
+
+/// The turn of the signs from a markup's coordinates to LPS.
+Vec3 lps_signs(const ordered_json& markup, const std::string& file) {
+  const std::string system = markup.value("coordinateSystem", "LPS");
+  if (system == "LPS") return {1, 1, 1};
+  if (system == "RAS") return {-1, -1, 1};
+  throw FileError(fmt::format("{}: the coordinate system '{}' is not known; save the points as LPS or RAS", file, system));
+}
+
+MarkupPoint read_point(const ordered_json& json, const Vec3& signs, const std::string& file) {
+  MarkupPoint point{json.value("label", ""), json.value("description", ""), {}};
+  if (json.value("positionStatus", "defined") != "defined" || !json.contains("position")) return point;
+  const auto x = json["position"].get<std::vector<double>>();
+  if (x.size() != 3) throw FileError(fmt::format("{}, point '{}': a position has three coordinates, not {}", file, point.label, x.size()));
+  point.position = signs.cwiseProduct(Vec3(x[0], x[1], x[2]));
+  return point;
+}
+
+}  // namespace
+
+std::string markups_text(const std::vector<MarkupPoint>& points) {
+  ordered_json list = ordered_json::array();
+  for (const MarkupPoint& point : points) list.push_back(control_point(point, list.size() + 1));
+  ordered_json markup = {{"type", "Fiducial"}, {"coordinateSystem", "LPS"}, {"controlPoints", std::move(list)}};
+  ordered_json json;
+  json["@schema"] = kMarkupsSchema;
+  json["markups"] = ordered_json::array({std::move(markup)});
+  return json_text(json);
+}
+
+std::vector<MarkupPoint> read_markups(const std::string& text, const std::string& file) {
+  return read_json(text, file, "markups of 3D Slicer", [&](const ordered_json& json) {
+    std::vector<MarkupPoint> points;
+    for (const ordered_json& markup : json.at("markups")) {
+      const Vec3 signs = lps_signs(markup, file);
+      for (const ordered_json& point : markup.at("controlPoints")) points.push_back(read_point(point, signs, file));
+    }
+    return points;
+  });
+}
+
+}  // namespace homolog

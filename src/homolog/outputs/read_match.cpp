@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/read_match.h"
+
+#include <fmt/format.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/base/read_file.h"
+#include "homolog/outputs/json_text.h"
+
+namespace homolog {
+namespace {
+
+using nlohmann::ordered_json;
+
+[[noreturn]] void fail(const std::string& file, const std::string& what) { throw FileError(fmt::format("{}: {}", file, what)); }
+
+void check_format(const ordered_json& json, const char* format, const std::string& file) {
+  if (json.at("format") != format)
+    fail(file, fmt::format("its format is {}, not \"{}\"; name the right file", json["format"].dump(), format));
+  if (json.at("version") != 1)
+    fail(file, fmt::format("its version is {}, but only 1 is known; use a newer homolog", json["version"].dump()));
+}
+
+std::vector<Vec3> read_vectors(const ordered_json& list, const std::string& file) {
+  std::vector<Vec3> vectors;
+  for (const ordered_json& item : list) {
+    const auto x = item.get<std::array<double, 3>>();
+    if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
+    vectors.emplace_back(x[0], x[1], x[2]);
+  }
+  return vectors;
+}
+
+ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
+  ThinPlateSpline warp;
+  const std::string kernel = json.at("kernel");
+  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", kernel));
+  warp.kernel = kernel == "r" ? Kernel::r : Kernel::r3;
+  warp.centres = read_vectors(json.at("centres"), file);
+  warp.weights = read_vectors(json.at("weights"), file);
+  if (warp.centres.size() != warp.weights.size()) fail(file, "a warp has not as many weights as centres; the file is damaged");
+  for (int row = 0; row < 3; ++row) {
+    const auto values = json.at("affine").at(row).get<std::array<double, 4>>();
+    warp.affine.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
+  }
+  return warp;
+}
+
+StoredFamily read_matches(const ordered_json& json, const std::string& file) {
+  check_format(json, "homolog-match", file);
+  StoredFamily family{json.at("model").at("file"), json.at("data").at("file"), {}, false};
+  for (const ordered_json& item : json.at("matches")) {
+    MatchMap match;
+    match.data_from_model = read_warp(item.at("warp"), file);
+    match.scale = item.at("scale");
+    match.model_diagonal = json["model"].at("diagonal");
+    match.data_diagonal = json["data"].at("diagonal");
+    if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
+      fail(file, "a size is not positive; the file is damaged");
+    family.matches.push_back(std::move(match));
+  }
+  set_rivals(family.matches);
+  return family;
+}
+
+CoveredSamples read_samples(const ordered_json& side, const ordered_json& weights, const std::string& file) {
+  CoveredSamples samples{read_vectors(side.at("samples"), file), weights.at("samples")};
+  if (samples.positions.size() != samples.weights.size()) fail(file, "there are not as many weights as samples; the file is damaged");
+  return samples;
+}
+
+void add_parts(const ordered_json& json, const std::string& file, StoredFamily& family) {
+  check_format(json, "homolog-parts", file);
+  const ordered_json &model = json.at("model"), &data = json.at("data"), &matches = json.at("matches");
+  if (model.at("file") != family.model_file || data.at("file") != family.data_file || matches.size() != family.matches.size()) {
+    fail(file, "it belongs to another match.json than the one beside it; run 'homolog match --out' again or take it away");
+  }
+  for (std::size_t i = 0; i < matches.size(); ++i) {
+    family.matches[i].model = read_samples(model, matches[i].at("model"), file);
+    family.matches[i].data = read_samples(data, matches[i].at("data"), file);
+  }
+  family.parts_known = true;
+}
+
+}  // namespace
+
+StoredFamily read_family(const std::filesystem::path& match_json) {
+  const std::string file = match_json.string();
+  StoredFamily family =
+      read_json(read_file(match_json), file, "matches", [&](const ordered_json& json) { return read_matches(json, file); });
+  const std::filesystem::path parts = match_json.parent_path() / "parts.json";
+  if (std::filesystem::exists(parts)) {
+    const auto add = [&](const ordered_json& json) { add_parts(json, parts.string(), family); };
+    read_json(read_file(parts), parts.string(), "covered parts", add);
+  }
+  return family;
+}
+
+}  // namespace homolog

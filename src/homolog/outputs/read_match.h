@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// match.json and the parts.json beside it, read again: the twin of match_json.h and parts.h. What later steps need of them.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "homolog/match/transfer.h"
+
+namespace homolog {
+
+struct StoredFamily {
+  std::string model_file, data_file;
+  std::vector<MatchMap> matches;  ///< best first
+  bool parts_known = false;       ///< parts.json stands beside it: the matches carry samples
+};
+
+/// Reads a match.json, and parts.json in the same folder if there is one. Throws FileError for what is no such file, or when the two do not
+/// belong together.
+StoredFamily read_family(const std::filesystem::path& match_json);
+
+}  // namespace homolog

@@ -1,0 +1,43 @@
+# SPDX-License-Identifier: MIT
+# The program under test in a folder of its own with shapes in it. In: the program, its version, the folder of the examples' programs.
+# Standard library only.
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import bear
+
+PROGRAM, VERSION, EXAMPLES = os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3])
+COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
+
+
+class Program(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        bear.write_all(self.folder.name)
+
+    def run_it(self, *words, **how):
+        how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
+        return subprocess.run([PROGRAM, *words], cwd=self.folder.name, text=True, timeout=300, **how)
+
+    def path(self, *names):
+        return os.path.join(self.folder.name, *names)
+
+    def read(self, *names):
+        with open(self.path(*names)) as file:
+            return file.read()
+
+    def expect_message(self, code, part, *words):
+        """The exit code, one sentence on stderr that holds `part`, and nothing on stdout."""
+        done = self.run_it(*words)
+        self.assertEqual(done.returncode, code, done.stderr)
+        self.assertRegex(done.stderr, r"\Ahomolog: [^\n]+\n\Z")
+        self.assertIn(part, done.stderr)
+        self.assertEqual(done.stdout, "")
+
+
+def main():
+    unittest.main(module="__main__", argv=sys.argv[:1] + sys.argv[4:])

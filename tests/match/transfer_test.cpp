@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/transfer.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/solids.h"
+
+namespace homolog {
+namespace {
+
+/// Even places in the cube from -1 to 1.
+std::vector<Vec3> lattice(int count) {
+  std::vector<Vec3> points;
+  for (int i = 0; i < count * count * count; ++i) {
+    points.push_back(2.0 / (count - 1) * Vec3(i % count, i / count % count, i / count / count) - Vec3::Ones());
+  }
+  return points;
+}
+
+Vec3 bend(const Vec3& x) { return 3 * (fixtures::random_rotation(7) * Vec3(x.x(), x.y() + 0.3 * x.x() * x.x(), x.z())) + Vec3(5, 1, -20); }
+
+/// A spline through the bent lattice; its part x < 0 is covered.
+MatchMap bent_match() {
+  const std::vector<Vec3> sources = lattice(6);
+  std::vector<Vec3> targets;
+  for (const Vec3& x : sources) targets.push_back(bend(x));
+  MatchMap match;
+  match.data_from_model =
+      ThinPlateSpline::similarity_free(SourceSystem(sources, std::vector<double>(sources.size(), 0)), targets, Chirality::proper);
+  match.scale = match.data_from_model.similarity.scale;
+  match.model_diagonal = 2 * std::sqrt(3.0);
+  match.data_diagonal = 3 * match.model_diagonal;
+  match.model.positions = lattice(12);
+  for (const Vec3& x : match.model.positions) {
+    match.model.weights.push_back(x.x() < 0 ? 1 : 0);
+    match.data.positions.push_back(bend(x));
+  }
+  match.data.weights = match.model.weights;
+  return match;
+}
+
+const MatchMap match = bent_match();
+const std::vector<Vec3> inside{{-0.5, 0.3, 0.2}, {-0.9, -0.7, 0.1}, {-0.33, 0.1, -0.8}};
+
+TEST(CarryPoints, PutsThemWhereTheMapDoes) {
+  const auto carried = carry_points(match, inside, Direction::data_from_model);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    EXPECT_TRUE(carried[i].is_there());
+    EXPECT_NEAR((carried[i].position - bend(inside[i])).norm(), 0, 0.02 * match.data_diagonal);
+    EXPECT_EQ(carried[i].position, match.data_from_model(inside[i]));
+    EXPECT_GT(carried[i].coverage.value(), 0.9);
+  }
+}
+
+TEST(CarryPoints, BringsThemBack) {
+  std::vector<Vec3> there;
+  for (const CarriedPoint& point : carry_points(match, inside, Direction::data_from_model)) there.push_back(point.position);
+  const auto back = carry_points(match, there, Direction::model_from_data);
+  for (std::size_t i = 0; i < inside.size(); ++i) {
+    EXPECT_TRUE(back[i].is_there());
+    EXPECT_NEAR((back[i].position - inside[i]).norm(), 0, 1e-7);
+  }
+}
+
+TEST(CarryPoints, TellsWhatIsOutsideTheCoveredPart) {
+  const auto carried = carry_points(match, {{0.5, 0.3, 0.2}, {-0.5, 0.3, 40}}, Direction::data_from_model);
+  EXPECT_FALSE(carried[0].is_there());
+  EXPECT_LT(carried[0].coverage.value(), 0.1);
+  EXPECT_FALSE(carried[1].is_there()) << "far from the shape, though its nearest sample is covered";
+  EXPECT_EQ(carried[1].coverage.value(), 0);
+}
+
+TEST(CarryPoints, WithoutSamplesSaysNothingOfCoverage) {
+  MatchMap bare = match;
+  bare.model = {};
+  const CarriedPoint point = carry_points(bare, {{0.5, 0.3, 0.2}}, Direction::data_from_model)[0];
+  EXPECT_FALSE(point.coverage);
+  EXPECT_TRUE(point.is_there());
+}
+
+TEST(CarryPoints, ExpectsErrorsInTheUnitOfTheShapeCarriedTo) {
+  const double there = carry_points(match, inside, Direction::data_from_model)[0].expected_error;
+  const double back = carry_points(match, {match.data_from_model(inside[0])}, Direction::model_from_data)[0].expected_error;
+  EXPECT_NEAR(there / back, match.scale, 1e-6 * match.scale);
+}
+
+TEST(InverseAt, SaysWhereAFoldedMapHasNone) {
+  ThinPlateSpline fold;  // (x, y, z) -> (x / 5 + |(x, y, z)|, y, z), which never goes far to the left
+  fold.affine.row(0) << 0.2, 0, 0, 0;
+  fold.centres = {{0, 0, 0}};
+  fold.weights = {{1, 0, 0}};
+  EXPECT_FALSE(inverse_at(fold, images_of_centres(fold), 1, {-0.5, 0.1, 0}).exact);
+  const InversePlace place = inverse_at(fold, images_of_centres(fold), 1, {1.5, 0.1, 0});
+  EXPECT_TRUE(place.exact);
+  EXPECT_NEAR(fold(place.position).x(), 1.5, 1e-8);
+}
+
+TEST(CarryPoints, ExpectsMoreWhereTheOtherMatchesDisagree) {
+  MatchMap doubted = match;
+  doubted.rivals.assign(2, match.data_from_model);
+  const double agreed = carry_points(doubted, inside, Direction::data_from_model)[0].expected_error;
+  for (ThinPlateSpline& rival : doubted.rivals) rival.affine.col(3) += 0.2 * match.data_diagonal * Vec3::UnitX();
+  EXPECT_GT(carry_points(doubted, inside, Direction::data_from_model)[0].expected_error, 4 * agreed);
+  doubted.rivals[0] = match.data_from_model;
+  EXPECT_EQ(carry_points(doubted, inside, Direction::data_from_model)[0].expected_error, agreed);
+}
+
+TEST(ExpectedError, GrowsWithStretchAndDisagreementAlone) {
+  const Mat3 turn = fixtures::random_rotation(3), mirror = fixtures::mirror_x();
+  const double least = expected_error_share(2 * turn, 2, 0);
+  EXPECT_NEAR(expected_error_share(2 * turn * mirror, 2, 0), least, 1e-6);
+  const Mat3 stretched = turn * Vec3(2, 2, 4).asDiagonal(), squeezed = turn * Vec3(2, 2, 1).asDiagonal();
+  EXPECT_GT(expected_error_share(stretched, 2, 0), 2 * least);
+  EXPECT_NEAR(expected_error_share(stretched, 2, 0), expected_error_share(squeezed, 2, 0), 1e-9);
+  EXPECT_GT(expected_error_share(stretched, 2, 0.05), 2 * expected_error_share(stretched, 2, 0));
+}
+
+}  // namespace
+}  // namespace homolog

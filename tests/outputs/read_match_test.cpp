@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/read_match.h"
+
+#include <gmock/gmock.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/outputs/match_json.h"
+#include "homolog/outputs/parts.h"
+#include "homolog/outputs/write_file.h"
+#include "outputs/match_fixture.h"
+
+namespace homolog {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+struct ReadFamily : testing::Test {
+  fs::path folder =
+      fs::path(testing::TempDir()) / ("read_match_test_" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  Shape model = fixtures::shape("model.off", 1), data = fixtures::shape("data.off", 2);
+  Family family = fixtures::family(model, data);
+  Mesh mesh{{{0, 0, 0}}, {}};
+
+  void SetUp() override {
+    fs::create_directories(folder);
+    model.surface = {{{0.1, 0.2, 0.3}, Vec3::UnitX()}, {{1, 2, 3}, Vec3::UnitX()}};
+    write_file(folder / "match.json", match_json(model, data, family, {}));
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  void write_parts(int matches) {
+    const MatchParts part{{{1}, {1, 0.25f}}, {{0}, {}}};
+    write_file(folder / "parts.json", parts_json({mesh, model}, {mesh, data}, std::vector<MatchParts>(matches, part)));
+  }
+  std::string message() const {
+    try {
+      read_family(folder / "match.json");
+    } catch (const FileError& error) {
+      return error.what();
+    }
+    return "";
+  }
+};
+
+TEST_F(ReadFamily, ReadsBackWhatMatchJsonWrites) {
+  const StoredFamily stored = read_family(folder / "match.json");
+  EXPECT_EQ(stored.model_file, "model.off");
+  EXPECT_EQ(stored.data_file, "data.off");
+  EXPECT_FALSE(stored.parts_known);
+  ASSERT_EQ(stored.matches.size(), 1u);
+  const MatchMap& match = stored.matches[0];
+  const ThinPlateSpline& warp = family.matches[0].data_from_model;
+  EXPECT_EQ(match.data_from_model.kernel, warp.kernel);
+  EXPECT_EQ(match.data_from_model.centres, warp.centres);
+  EXPECT_EQ(match.data_from_model.weights, warp.weights);
+  EXPECT_EQ(match.data_from_model.affine, warp.affine);
+  EXPECT_EQ(match.scale, 2);
+  EXPECT_TRUE(match.rivals.empty());
+  EXPECT_EQ(match.model_diagonal, 10);
+  EXPECT_EQ(match.data_diagonal, 20);
+}
+
+TEST_F(ReadFamily, KnowsTheBestOtherMatchesOfEachAsItsRivals) {
+  family.matches.resize(5, family.matches[0]);
+  for (int i = 0; i < 5; ++i) family.matches[i].data_from_model.affine(0, 3) = i;
+  write_file(folder / "match.json", match_json(model, data, family, {}));
+  const StoredFamily stored = read_family(folder / "match.json");
+  ASSERT_EQ(stored.matches[1].rivals.size(), 3u);
+  EXPECT_EQ(stored.matches[1].rivals[0].affine(0, 3), 0);
+  EXPECT_EQ(stored.matches[1].rivals[1].affine(0, 3), 2);
+  EXPECT_EQ(stored.matches[0].rivals[2].affine(0, 3), 3);
+}
+
+TEST_F(ReadFamily, ReadsThePartsBesideIt) {
+  write_parts(1);
+  const StoredFamily stored = read_family(folder / "match.json");
+  EXPECT_TRUE(stored.parts_known);
+  EXPECT_EQ(stored.matches[0].model.positions, (std::vector<Vec3>{{0.1, 0.2, 0.3}, {1, 2, 3}}));
+  EXPECT_EQ(stored.matches[0].model.weights, (std::vector<float>{1, 0.25f}));
+  EXPECT_TRUE(stored.matches[0].data.positions.empty());
+}
+
+TEST_F(ReadFamily, RefusesPartsOfAnotherMatch) {
+  write_parts(2);
+  EXPECT_THAT(message(), HasSubstr("parts.json: it belongs to another match.json"));
+}
+
+TEST_F(ReadFamily, SaysWhatIsWrong) {
+  write_file(folder / "match.json", points_json(model, {}));
+  EXPECT_THAT(message(), HasSubstr("its format is \"homolog-points\", not \"homolog-match\""));
+  write_file(folder / "match.json", "{\"format\": \"homolog-match\", \"version\": 2}");
+  EXPECT_THAT(message(), HasSubstr("its version is 2, but only 1 is known"));
+  write_file(folder / "match.json", "{\"format\": \"homolog-match\", \"version\": 1}");
+  EXPECT_THAT(message(), HasSubstr("this is not a file of matches (key 'model' not found)"));
+  write_file(folder / "match.json", match_json(model, data, family, {}).substr(0, 500));
+  EXPECT_THAT(message(), HasSubstr("match.json: this is not a file of matches"));
+}
+
+}  // namespace
+}  // namespace homolog

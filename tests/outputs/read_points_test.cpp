@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/read_points.h"
+
+#include <gmock/gmock.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/outputs/landmarks.h"
+#include "outputs/match_fixture.h"
+
+namespace homolog {
+namespace {
+
+using testing::HasSubstr;
+
+template <class Read>
+std::string message(const Read& read) {
+  try {
+    read();
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+std::string csv_message(const std::string& text) {
+  return message([&] { read_points_csv(text, "a.csv"); });
+}
+
+std::string markups_message(const std::string& text) {
+  return message([&] { read_markups(text, "a.mrk.json"); });
+}
+
+TEST(ReadPointsCsv, ReadsBackWhatLandmarksWrite) {
+  const auto landmarks = point_landmarks(fixtures::shape("model.off", 1));
+  const auto points = read_points_csv(landmarks_csv(landmarks), "a.csv");
+  ASSERT_EQ(points.size(), landmarks.size());
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    EXPECT_EQ(points[i].label, landmarks[i].label);
+    EXPECT_EQ(points[i].position, landmarks[i].point.position);
+  }
+}
+
+TEST(ReadPointsCsv, TakesColumnsInAnyOrderQuotesAndMissingPoints) {
+  const auto points =
+      read_points_csv("\xef\xbb\xbfz,label,extra,y,x\r\n3,\"a, \"\"b\"\"\",?,2,1\r\n\r\n,nose,,,\nNA,ear,,NA,NA\n", "a.csv");
+  ASSERT_EQ(points.size(), 3u);
+  EXPECT_EQ(points[0].label, "a, \"b\"");
+  EXPECT_EQ(points[0].position, Vec3(1, 2, 3));
+  EXPECT_EQ(points[1].label, "nose");
+  EXPECT_FALSE(points[1].position);
+  EXPECT_FALSE(points[2].position);
+}
+
+TEST(ReadPointsCsv, NamesTheLineOfAnError) {
+  EXPECT_THAT(csv_message("1,2,3\n"), HasSubstr("a.csv, line 1: the header must name the columns x, y and z"));
+  EXPECT_THAT(csv_message("x,y,z\n1,2\n"), HasSubstr("a.csv, line 2: 2 cells, but the header has 3"));
+  EXPECT_THAT(csv_message("x,y,z\n1,2,3\n1,two,3\n"), HasSubstr("a.csv, line 3: 'two' is not a finite number"));
+  EXPECT_THAT(csv_message("x,y,z\n1,2 3,4\n"), HasSubstr("line 2: '2 3' is not a number"));
+  EXPECT_THAT(csv_message("x,y,z\n1,,3\n"), HasSubstr("line 2: some coordinates are missing, but not all"));
+  EXPECT_THAT(csv_message("x,y,z\n1,inf,3\n"), HasSubstr("line 2: 'inf' is not a finite number"));
+  EXPECT_THAT(csv_message("x,y,z,label\n1,2,3,\"a\n"), HasSubstr("line 2: a quotation mark is not closed"));
+}
+
+TEST(ReadMarkups, ReadsBackWhatMarkupsWrite) {
+  const auto points = read_markups(markups_text({{"nose", "big", Vec3(0.1, -2, 3)}, {"ear", "", {}}}), "a.mrk.json");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].label, "nose");
+  EXPECT_EQ(points[0].description, "big");
+  EXPECT_EQ(points[0].position, Vec3(0.1, -2, 3));
+  EXPECT_EQ(points[1].label, "ear");
+  EXPECT_FALSE(points[1].position);
+}
+
+TEST(ReadMarkups, GoesByTheFilesOwnCoordinateSystem) {
+  const std::string points = R"("controlPoints": [{"label": "a", "position": [1, 2, 3]}])";
+  const auto position = [&](const std::string& system) {
+    return read_markups("{\"markups\": [{" + system + points + "}]}", "a")[0].position;
+  };
+  EXPECT_EQ(position(R"("coordinateSystem": "LPS",)"), Vec3(1, 2, 3));
+  EXPECT_EQ(position(R"("coordinateSystem": "RAS",)"), Vec3(-1, -2, 3));
+  EXPECT_EQ(position(""), Vec3(1, 2, 3)) << "Slicer's schema: LPS unless it is stated";
+}
+
+TEST(ReadMarkups, TakesUndefinedPointsForMissingWhateverTheirPosition) {
+  // Slicer itself writes an empty string where a position would stand.
+  const auto points = read_markups(R"({"markups": [{"coordinateSystem": "LPS", "controlPoints": [
+    {"label": "a", "position": "", "positionStatus": "undefined"},
+    {"label": "b", "position": [0, 0, 0], "positionStatus": "missing"},
+    {"label": "c", "positionStatus": "defined"}]}]})",
+                                   "a");
+  ASSERT_EQ(points.size(), 3u);
+  for (const MarkupPoint& point : points) EXPECT_FALSE(point.position) << point.label;
+}
+
+TEST(ReadMarkups, SaysWhatIsWrong) {
+  EXPECT_THAT(markups_message("{"), HasSubstr("a.mrk.json: this is not a file of markups of 3D Slicer"));
+  EXPECT_THAT(markups_message("[1, 2]"), HasSubstr("a.mrk.json: this is not a file of markups"));
+  EXPECT_THAT(markups_message(R"({"markups": [{"coordinateSystem": "XYZ", "controlPoints": []}]})"), HasSubstr("'XYZ' is not known"));
+  EXPECT_THAT(markups_message(R"({"markups": [{"controlPoints": [{"label": "n", "position": [1, 2]}]}]})"),
+              HasSubstr("point 'n': a position has three coordinates, not 2"));
+}
+
+}  // namespace
+}  // namespace homolog
