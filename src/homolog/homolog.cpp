@@ -30,7 +30,7 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirali
   std::vector<GrownSet> sets(seeds.size());
   parallel_for(seeds.size(),
                [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
-  sets = distinct_sets(std::move(sets), sets_of_a_chirality);
+  sets = distinct_sets(std::move(sets), sets_of_a_chirality, model);
   const std::vector<GrownSet> starts = axis_starts(model, data, chirality, axis_starts_of_a_chirality);
   sets.insert(sets.end(), starts.begin(), starts.end());
   const std::vector<GrownSet> by_ends = end_starts(model, data, chirality, end_starts_of_a_chirality);

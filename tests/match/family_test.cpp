@@ -27,6 +27,7 @@ GrownSet set_of(std::initializer_list<std::pair<int, int>> pairs, double score, 
   GrownSet set;
   set.score = score;
   set.chirality = chirality;
+  set.spline.affine.col(3) = Vec3(score, 0, 0);  // another map for another score
   for (const auto& [model, data] : pairs) set.pairs.push_back({model, data, {}, {}, 0, 0});
   return set;
 }
@@ -43,12 +44,21 @@ TEST(DistinctSets, ShareAtMostHalfTheirPairsWithABetterOne) {
   const auto half = set_of({{0, 0}, {1, 1}, {5, 5}, {6, 6}}, 3),
              mirrored = set_of({{0, 0}, {1, 1}, {2, 2}, {3, 3}}, 2, Chirality::mirrored);
   const auto two = set_of({{7, 7}, {8, 8}}, 9);  // a similarity takes three
-  const std::vector<GrownSet> distinct = distinct_sets({mirrored, half, alike, better, two}, 10);
+  const Shape model = bare_shape(std::vector<SalientPoint>(2));
+  const std::vector<GrownSet> distinct = distinct_sets({mirrored, half, alike, better, two}, 10, model);
   ASSERT_EQ(distinct.size(), 3u);
   EXPECT_EQ(distinct[0].score, 5);
   EXPECT_EQ(distinct[1].score, 3);
   EXPECT_EQ(distinct[2].score, 2);
-  EXPECT_EQ(distinct_sets({mirrored, half, alike, better}, 1).size(), 1u);
+  EXPECT_EQ(distinct_sets({mirrored, half, alike, better}, 1, model).size(), 1u);
+}
+
+TEST(DistinctSets, OfTheSameMapTheBestStays) {
+  GrownSet better = set_of({{0, 0}, {1, 1}, {2, 2}}, 5), same = set_of({{3, 3}, {4, 4}, {5, 5}}, 4);
+  same.spline = better.spline;
+  const std::vector<GrownSet> distinct = distinct_sets({same, better}, 10, bare_shape(std::vector<SalientPoint>(2)));
+  ASSERT_EQ(distinct.size(), 1u);
+  EXPECT_EQ(distinct[0].score, 5);
 }
 
 TEST(Family, DuplicatesByMapAreOneMatch) {

@@ -80,11 +80,13 @@ Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samp
   return body;
 }
 
-std::vector<double> shortest_ways(const Body& body, int source) {
+std::vector<double> shortest_ways(const Body& body, const std::vector<int>& sources) {
   std::vector<double> way(body.nodes.size(), std::numeric_limits<double>::infinity());
   std::priority_queue<std::pair<double, int>, std::vector<std::pair<double, int>>, std::greater<>> open;
-  way[source] = 0;
-  open.emplace(0.0, source);
+  for (const int source : sources) {
+    way[source] = 0;
+    open.emplace(0.0, source);
+  }
   while (!open.empty()) {
     const auto [length, node] = open.top();
     open.pop();
@@ -104,7 +106,7 @@ Eigen::MatrixXd inner_distances(const Body& body, const Interior& interior) {
   const std::size_t count = body.nodes.size() - body.surface_count;
   Eigen::MatrixXd distances(count, count);
   parallel_for(count, [&](std::size_t i) {
-    const std::vector<double> way = shortest_ways(body, static_cast<int>(body.point_node(i)));
+    const std::vector<double> way = shortest_ways(body, {static_cast<int>(body.point_node(i))});
     for (std::size_t j = 0; j < count; ++j) {
       const Vec3 &a = body.nodes[body.point_node(std::min(i, j))], &b = body.nodes[body.point_node(std::max(i, j))];
       distances(i, j) = runs_inside(interior, a, b) ? (a - b).norm() : way[body.point_node(j)];

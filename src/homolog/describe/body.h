@@ -26,8 +26,8 @@ struct Body {
 Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
                 const std::vector<SalientPoint>& points);
 
-/// Lengths of the shortest ways inside from one node to all; infinite between separate pieces.
-std::vector<double> shortest_ways(const Body& body, int source);
+/// Lengths of the shortest ways inside from the nearest of the sources to all nodes; infinite between separate pieces.
+std::vector<double> shortest_ways(const Body& body, const std::vector<int>& sources);
 
 /// Lengths of the shortest ways inside the body between all salient points; infinite between separate pieces.
 Eigen::MatrixXd inner_distances(const Body& body, const Interior& interior);

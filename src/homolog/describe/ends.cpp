@@ -18,7 +18,7 @@ constexpr double least_prominence = 0.06;
 std::vector<double> mean_ways(const Body& body) {
   const std::size_t count = std::min(sources, body.surface_count);
   std::vector<std::vector<double>> ways(count);
-  parallel_for(count, [&](std::size_t i) { ways[i] = shortest_ways(body, static_cast<int>(i)); });
+  parallel_for(count, [&](std::size_t i) { ways[i] = shortest_ways(body, {static_cast<int>(i)}); });
   std::vector<double> means(body.surface_count);
   for (std::size_t node = 0; node < body.surface_count; ++node) {
     double sum = 0, reached = 0;
@@ -71,7 +71,7 @@ Ends find_ends(const Body& body) {
   }
   ends.ways.resize(static_cast<Eigen::Index>(body.nodes.size()), static_cast<Eigen::Index>(ends.nodes.size()));
   for (std::size_t k = 0; k < ends.nodes.size(); ++k) {
-    const std::vector<double> way = shortest_ways(body, ends.nodes[k]);
+    const std::vector<double> way = shortest_ways(body, {ends.nodes[k]});
     for (std::size_t node = 0; node < way.size(); ++node) ends.ways(node, k) = way[node];
   }
   return ends;

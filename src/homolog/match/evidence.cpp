@@ -11,7 +11,8 @@ namespace homolog {
 namespace {
 
 constexpr double reach_share = 0.02;      // of the mapped model's diagonal: so near counts as reached
-constexpr double near_share = 0.1;        // so near, data counts as the part the model should explain
+constexpr double near_share = 0.1;        // so near along the inside, data counts as the part the model should explain
+constexpr double skin_reach = 1.7;        // spacings: neighbours on the skin are no farther
 constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
 
 struct Nearest {
@@ -32,6 +33,10 @@ Nearest nearest(const Vec3& place, const Vec3& normal, const Skin& skin) {
   return {std::abs((there - place).dot(facing)), found.distance, normal.dot(facing) > 0.5};
 }
 
+bool reaches(const Nearest& found, const Skin& other, double reach) {
+  return found.agrees && found.plane_distance < reach && found.distance < reach + other.spacing;
+}
+
 Skin mapped_skin(const Cloth& cloth, const Body& model) {
   Skin skin;
   for (std::size_t i = 0; i < model.surface_count; ++i) {
@@ -48,6 +53,56 @@ Skin skin_of(const Shape& data) {
   for (const SurfaceSample& s : data.surface) skin.normals.push_back(s.normal);
   skin.blocks = make_blocks(skin.places, skin.normals);
   return skin;
+}
+
+// Within a flat face, as a cut leaves one?
+bool in_flat_face(const Body& body, int node) {
+  int flat = 0;
+  for (const int other : body.neighbours[node]) {
+    if (other >= static_cast<int>(body.surface_count)) continue;
+    const double agreement = body.normals[other].dot(body.normals[node]);
+    const bool across_the_body = agreement < 0.5 || (body.nodes[other] - body.nodes[node]).norm() > skin_reach * body.spacing;
+    if (across_the_body) continue;
+    if (agreement < 0.96) return false;  // 16 degrees
+    ++flat;
+  }
+  return flat >= 3;
+}
+
+// Share of the model's skin that comes to lie on the data's. Flat faces that end inside the data do not count: where the model was cut
+// off, the data goes on.
+double model_reached(const Skin& cloth_skin, const Skin& data_skin, const Body& model, const Interior& data, double reach) {
+  double reached = 0, cut = 0;
+  for (std::size_t i = 0; i < cloth_skin.places.size(); ++i) {
+    if (reaches(nearest(cloth_skin.places[i], cloth_skin.normals[i], data_skin), data_skin, reach)) {
+      ++reached;
+    } else if (in_flat_face(model, static_cast<int>(i)) && sample(data, cloth_skin.places[i]) > 0.9f) {
+      ++cut;
+    }
+  }
+  const double counted = static_cast<double>(cloth_skin.places.size()) - cut;
+  return counted > 0 ? reached / counted : 0;
+}
+
+// The data's samples on which the model comes to lie.
+std::vector<int> data_reached(const Skin& data_skin, const Skin& cloth_skin, double reach) {
+  std::vector<int> reached;
+  for (std::size_t k = 0; k < data_skin.places.size(); ++k) {
+    if (reaches(nearest(data_skin.places[k], data_skin.normals[k], cloth_skin), cloth_skin, reach)) reached.push_back(static_cast<int>(k));
+  }
+  return reached;
+}
+
+// Share that is reached of what lies near along the inside: an arm that hangs beside a torso is far from it.
+double near_reached(const std::vector<int>& reached, const Body& data, double near) {
+  std::vector<int> nodes;
+  for (const int k : reached) {
+    if (k < static_cast<int>(data.surface_count)) nodes.push_back(k);
+  }
+  const std::vector<double> ways = shortest_ways(data, nodes);
+  const auto skin_end = ways.begin() + static_cast<std::ptrdiff_t>(data.surface_count);
+  const auto count = std::count_if(ways.begin(), skin_end, [&](double way) { return way < near; });
+  return count > 0 ? static_cast<double>(nodes.size()) / static_cast<double>(count) : 0;
 }
 
 double edge_stretch(const Cloth& cloth, const Body& model) {
@@ -68,22 +123,12 @@ double edge_stretch(const Cloth& cloth, const Body& model) {
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   const double extent = std::min(data.diagonal, cloth.scale * model.diagonal), reach = reach_share * extent;
   const Skin cloth_skin = mapped_skin(cloth, model.body), data_skin = skin_of(data);
+  if (cloth_skin.places.empty() || data_skin.places.empty()) return {};
+  const std::vector<int> reached = data_reached(data_skin, cloth_skin, reach);
   Evidence evidence;
-  double model_hits = 0, near = 0, data_hits = 0;
-  const auto hits = [&](const Nearest& n, const Skin& other) {
-    return n.agrees && n.plane_distance < reach && n.distance < reach + other.spacing;
-  };
-  for (std::size_t i = 0; i < cloth_skin.places.size(); ++i) {
-    if (hits(nearest(cloth_skin.places[i], cloth_skin.normals[i], data_skin), data_skin)) ++model_hits;
-  }
-  for (std::size_t k = 0; k < data_skin.places.size(); ++k) {
-    const Nearest n = nearest(data_skin.places[k], data_skin.normals[k], cloth_skin);
-    if (n.distance < near_share * extent) ++near;
-    if (hits(n, cloth_skin)) ++data_hits;
-  }
-  if (!cloth_skin.places.empty()) evidence.model_reached = model_hits / static_cast<double>(cloth_skin.places.size());
-  if (!data_skin.places.empty()) evidence.data_reached = data_hits / static_cast<double>(data_skin.places.size());
-  if (near > 0) evidence.data_near_reached = data_hits / near;
+  evidence.model_reached = model_reached(cloth_skin, data_skin, model.body, data.interior, reach);
+  evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.places.size());
+  evidence.data_near_reached = near_reached(reached, data.body, near_share * extent);
   evidence.stretch = edge_stretch(cloth, model.body);
   return evidence;
 }

@@ -15,6 +15,7 @@ constexpr std::size_t least_pairs = 4;  // three are unlikely to define good mat
 constexpr std::size_t least_grown = 3;  // but guiding may find them their fourth
 constexpr std::size_t guided = 16;      // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
+constexpr double same_start = 0.04;     // the same for grown sets, at the salient points
 constexpr double near_tie = 0.1;        // merit within which the other handedness makes a match ambiguous
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
@@ -77,16 +78,24 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
 
 }  // namespace
 
-std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most) {
+std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most, const Shape& model) {
   std::stable_sort(sets.begin(), sets.end(), [](const GrownSet& a, const GrownSet& b) { return a.score > b.score; });
   std::vector<GrownSet> distinct;
+  std::vector<std::vector<Vec3>> images;  // of the model's points
   for (GrownSet& set : sets) {
     if (distinct.size() == most) break;
     if (set.pairs.size() < least_grown) continue;
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const GrownSet& other) {
-      return other.chirality == set.chirality && 2 * shared_pairs(set.pairs, other.pairs) > set.pairs.size();
-    });
-    if (!known) distinct.push_back(std::move(set));
+    std::vector<Vec3> image;
+    for (const SalientPoint& point : model.points) image.push_back(set.spline(point.position));
+    const double tolerance = same_start * set.spline.similarity.scale * model.diagonal;
+    bool known = false;
+    for (std::size_t k = 0; k < distinct.size() && !known; ++k) {
+      known = distinct[k].chirality == set.chirality &&
+              (2 * shared_pairs(set.pairs, distinct[k].pairs) > set.pairs.size() || mean_distance(image, images[k]) < tolerance);
+    }
+    if (known) continue;
+    distinct.push_back(std::move(set));
+    images.push_back(std::move(image));
   }
   return distinct;
 }

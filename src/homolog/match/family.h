@@ -10,8 +10,9 @@
 
 namespace homolog {
 
-/// The best sets that share at most half of their pairs with a better one of the same chirality, best first.
-std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most);
+/// The best sets, best first, that share at most half of their pairs with a better one of the same chirality and lay the model's points
+/// elsewhere.
+std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most, const Shape& model);
 
 /// Whether --mirror lets a match of this chirality be told.
 bool allowed(Chirality chirality, Mirror mirror);
