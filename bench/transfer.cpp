@@ -61,7 +61,7 @@ std::vector<Sample> judge(const MatchMap& match, const std::vector<Vec3>& model,
     from.push_back(model[i]);
     to.push_back(data[i]);
   }
-  const double extent = std::min(match.data_diagonal, match.scale * match.model_diagonal);
+  const double extent = matched_extent(match.model_diagonal, match.scale, match.data_diagonal);
   const auto carried = carry_points(match, from, Direction::data_from_model);
   std::vector<Sample> samples;
   std::vector<double> errors;

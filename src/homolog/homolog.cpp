@@ -106,6 +106,7 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
   }
+  shape.surface_blocks = make_blocks(shape.surface);
   shape.surface_spacing = typical_spacing(positions_of(shape.surface));
   find_directions(shape.interior, params.salient, shape.points);  // eq. 2, 3
   lap(watch, "directions", shape.points.size(), "points");

@@ -23,9 +23,7 @@ bool runs_inside(const Interior& interior, const Vec3& a, const Vec3& b) {
 }
 
 bool joined(const Interior& interior, const Body& body, int a, int b) {
-  const bool both_on_skin = a < static_cast<int>(body.surface_count) && b < static_cast<int>(body.surface_count);
-  const bool near = (body.nodes[a] - body.nodes[b]).norm() < skin_reach * body.spacing;
-  if (both_on_skin && near && body.normals[a].dot(body.normals[b]) > 0.5) return true;
+  if (neighbours_on_skin(body, a, b)) return true;
   return runs_inside(interior, body.nodes[a], body.nodes[b]);
 }
 
@@ -62,6 +60,12 @@ void join_nodes(const Interior& interior, Body& body) {
 }
 
 }  // namespace
+
+bool neighbours_on_skin(const Body& body, int a, int b) {
+  if (std::max(a, b) >= static_cast<int>(body.surface_count)) return false;
+  const bool near = (body.nodes[a] - body.nodes[b]).norm() < skin_reach * body.spacing;
+  return near && body.normals[a].dot(body.normals[b]) > 0.5;
+}
 
 Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
                 const std::vector<SalientPoint>& points) {

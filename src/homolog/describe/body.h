@@ -22,6 +22,9 @@ struct Body {
   std::size_t point_node(std::size_t point) const { return surface_count + point; }
 };
 
+/// Whether two nodes are neighbours on the skin: near, normals within 60 degrees, so not across a thin body.
+bool neighbours_on_skin(const Body& body, int a, int b);
+
 /// Joins the first `surface_count` samples and all points.
 Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samples, std::size_t surface_count,
                 const std::vector<SalientPoint>& points);

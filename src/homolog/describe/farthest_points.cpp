@@ -5,6 +5,8 @@
 #include <limits>
 #include <numeric>
 
+#include "homolog/base/halve.h"
+
 namespace homolog {
 namespace {
 
@@ -17,13 +19,8 @@ void split(const std::vector<Eigen::Vector3f>& points, std::vector<std::size_t>&
     borders.push_back(end);
     return;
   }
-  Eigen::Vector3f low = points[order[begin]], high = low;
-  for (std::size_t i = begin; i < end; ++i) low = low.cwiseMin(points[order[i]]), high = high.cwiseMax(points[order[i]]);
-  int axis = 0;
-  (high - low).maxCoeff(&axis);
   const std::size_t middle = begin + (end - begin) / 2;
-  std::nth_element(order.begin() + begin, order.begin() + middle, order.begin() + end,
-                   [&](std::size_t a, std::size_t b) { return std::pair(points[a][axis], a) < std::pair(points[b][axis], b); });
+  halve(order.begin() + begin, order.begin() + middle, order.begin() + end, points);
   split(points, order, begin, middle, borders);
   split(points, order, middle, end, borders);
 }

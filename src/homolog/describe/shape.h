@@ -8,6 +8,7 @@
 #include "homolog/describe/body.h"
 #include "homolog/describe/descriptors.h"
 #include "homolog/describe/ends.h"
+#include "homolog/describe/sample_blocks.h"
 #include "homolog/salient/salient_point.h"
 #include "homolog/shape/volume.h"
 
@@ -21,6 +22,7 @@ struct Shape {
   std::vector<SalientPoint> points;    ///< X, strongest radius first
   Descriptors descriptors;             ///< mu, parallel to points
   std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
+  SampleBlocks surface_blocks;         ///< of these samples
   double surface_spacing = 0;          ///< typical distance of neighbouring samples
   Body body;                           ///< joins the first of these samples and the points inside the solid
   Ends ends;                           ///< of the body

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
 
 namespace homolog {
@@ -68,21 +69,20 @@ double nearest_partners(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& fr
   return sum / static_cast<double>(from.cols());
 }
 
-Similarity umeyama(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, double sign) {
+// The similarity that lays `from` best on `to` (Umeyama 1991).
+Similarity best_similarity(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Chirality chirality) {
   const Vec3 a = from.rowwise().mean(), b = to.rowwise().mean();
   const Eigen::Matrix3Xd x = from.colwise() - a, y = to.colwise() - b;
-  const Eigen::JacobiSVD<Mat3> svd(y * x.transpose(), Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vec3 D(1, 1, 1);
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * sign < 0) D.z() = -1;
+  const Turn turn = nearest_turn(y * x.transpose(), chirality);
   Similarity s;
-  s.rotation = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
-  s.scale = std::max(svd.singularValues().dot(D) / x.squaredNorm(), 1e-6);
+  s.rotation = turn.rotation;
+  s.scale = std::max(turn.trace / x.squaredNorm(), 1e-6);
   s.shift = b - s.scale * (s.rotation * a);
   return s;
 }
 
 // Closest points both ways and the best similarity, in turn.
-Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, double sign) {
+Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, Chirality chirality) {
   Settled settled{start};
   std::vector<int> of_model, of_data;
   for (int step = 0; step <= settle_steps; ++step) {
@@ -97,7 +97,7 @@ Settled settle(const Similarity& start, const Skin& model, const Skin& data, dou
     Eigen::Matrix3Xd from(3, n + m), to(3, n + m);
     for (Eigen::Index i = 0; i < n; ++i) from.col(i) = model.places.col(i), to.col(i) = data.places.col(of_model[i]);
     for (Eigen::Index k = 0; k < m; ++k) from.col(n + k) = model.places.col(of_data[k]), to.col(n + k) = data.places.col(k);
-    settled.similarity = umeyama(from, to, sign);
+    settled.similarity = best_similarity(from, to, chirality);
   }
   return settled;
 }
@@ -131,19 +131,13 @@ std::vector<GrownSet> axis_starts(const Shape& model, const Shape& data, Chirali
     start.scale = b.radius / a.radius;
     start.rotation = b.axes * turns[i] * a.axes.transpose();
     start.shift = b.centre - start.scale * (start.rotation * a.centre);
-    settled[i] = settle(start, a, b, data.diagonal, sign);
+    settled[i] = settle(start, a, b, data.diagonal, chirality);
   });
   std::stable_sort(settled.begin(), settled.end(), [](const Settled& x, const Settled& y) { return x.distance < y.distance; });
+  settled = distinct(std::move(settled), most,
+                     [&](const Settled& x, const Settled& kept) { return same_start(x.similarity, kept.similarity, a, data.diagonal); });
   std::vector<GrownSet> starts;
-  std::vector<Similarity> chosen;
-  for (const Settled& s : settled) {
-    if (starts.size() == most) break;
-    const bool known = std::any_of(chosen.begin(), chosen.end(),
-                                   [&](const Similarity& other) { return same_start(s.similarity, other, a, data.diagonal); });
-    if (known) continue;
-    chosen.push_back(s.similarity);
-    starts.push_back(set_of(s.similarity, chirality));
-  }
+  for (const Settled& s : settled) starts.push_back(set_of(s.similarity, chirality));
   return starts;
 }
 

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "homolog/match/sample_blocks.h"
+#include "homolog/describe/sample_blocks.h"
 
 namespace homolog {
 namespace {
@@ -193,12 +193,6 @@ Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& 
   return right;
 }
 
-SampleBlocks blocks_of(const std::vector<SurfaceSample>& data) {
-  std::vector<Vec3> places, normals;
-  for (const SurfaceSample& s : data) places.push_back(s.position), normals.push_back(s.normal);
-  return make_blocks(places, normals);
-}
-
 }  // namespace
 
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
@@ -215,7 +209,7 @@ Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chira
 
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
-  const SampleBlocks samples = blocks_of(data);
+  const SampleBlocks samples = make_blocks(data);
   const Edges edges = edges_of(model);
   const Sparse laplacian = laplacian_of(edges);
   Sparse system = laplacian;

@@ -4,14 +4,13 @@
 #include <algorithm>
 
 #include "homolog/base/parallel.h"
+#include "homolog/match/evidence.h"
 #include "homolog/match/local_map.h"
 #include "homolog/shape/nearest_surface.h"
 #include "homolog/shape/vertex_normals.h"
 
 namespace homolog {
 namespace {
-
-constexpr double reach_share = 0.02;  // of the matched extent: so far apart along the normal, two skins are still one
 
 /// Places with their outward normals.
 struct Places {
@@ -33,10 +32,8 @@ struct LaidSide {
 
 Side make_side(const MeshedShape& meshed) {
   Side side{{meshed.mesh.vertices, vertex_normals(meshed.mesh)}, {}, {}, 0};
-  for (const SurfaceSample& s : meshed.shape.surface) {
-    side.samples.positions.push_back(s.position);
-    side.samples.normals.push_back(s.normal);
-  }
+  side.samples.positions = positions_of(meshed.shape.surface);
+  for (const SurfaceSample& s : meshed.shape.surface) side.samples.normals.push_back(s.normal);
   const GridFrame& frame = meshed.shape.interior.frame;
   side.spacing = frame.spacing;
   side.in_use.min = frame.origin;
@@ -101,7 +98,7 @@ std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShap
   std::vector<MatchParts> parts;
   for (const Match& match : matches) {
     const double scale = match.similarity.scale;
-    const Tolerance tolerance{reach_share * std::min(data.shape.diagonal, scale * model.shape.diagonal),
+    const Tolerance tolerance{reached_share * matched_extent(model.shape.diagonal, scale, data.shape.diagonal),
                               std::max(data_side.spacing, scale * model_side.spacing)};
     Places vertices = laid(model_side.vertices, match.data_from_model);
     NearestSurface surface = surface_of(vertices, model.mesh);

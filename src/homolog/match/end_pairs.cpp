@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
 
 namespace homolog {
@@ -113,13 +114,7 @@ std::vector<EndPairs> pair_ends(const Ends& model, const Ends& data, std::size_t
   sets.resize(std::min(sets.size(), most_extended));
   parallel_for(sets.size(), [&](std::size_t i) { extend(sets[i], ratios); });
   sort_by_score(sets);
-  std::vector<EndPairs> distinct;
-  for (EndPairs& set : sets) {
-    if (distinct.size() == most) break;
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const EndPairs& other) { return other.pairs == set.pairs; });
-    if (!known) distinct.push_back(std::move(set));
-  }
-  return distinct;
+  return distinct(std::move(sets), most, [](const EndPairs& a, const EndPairs& kept) { return a.pairs == kept.pairs; });
 }
 
 }  // namespace homolog

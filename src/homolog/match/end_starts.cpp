@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
 #include "homolog/match/end_pairs.h"
 
@@ -88,13 +89,7 @@ std::vector<GrownSet> end_starts(const Shape& model, const Shape& data, Chiralit
   parallel_for(sets.size(), [&](std::size_t i) { starts[i] = start_of(follow(sets[i], model, data), model.body, chirality); });
   std::stable_sort(starts.begin(), starts.end(),
                    [](const GrownSet& a, const GrownSet& b) { return relative_energy(a) < relative_energy(b); });
-  std::vector<GrownSet> distinct;
-  for (GrownSet& start : starts) {
-    if (distinct.size() == most) break;
-    const bool known = std::any_of(distinct.begin(), distinct.end(), [&](const GrownSet& o) { return same_start(start, o, model, data); });
-    if (!known) distinct.push_back(std::move(start));
-  }
-  return distinct;
+  return distinct(std::move(starts), most, [&](const GrownSet& a, const GrownSet& kept) { return same_start(a, kept, model, data); });
 }
 
 }  // namespace homolog

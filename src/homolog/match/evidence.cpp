@@ -5,14 +5,12 @@
 #include <cmath>
 #include <limits>
 
-#include "homolog/match/sample_blocks.h"
+#include "homolog/describe/sample_blocks.h"
 
 namespace homolog {
 namespace {
 
-constexpr double reach_share = 0.02;      // of the mapped model's diagonal: so near counts as reached
 constexpr double near_share = 0.1;        // so near along the inside, data counts as the part the model should explain
-constexpr double skin_reach = 1.7;        // spacings: neighbours on the skin are no farther
 constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
 
 struct Nearest {
@@ -20,38 +18,36 @@ struct Nearest {
   bool agrees = false;  // normals within 60 degrees
 };
 
+// Views of samples, the blocks they lie in, and the typical distance of neighbours.
 struct Skin {
-  std::vector<Vec3> places, normals;
+  const std::vector<SurfaceSample>& samples;
+  const SampleBlocks& blocks;
   double spacing;
-  SampleBlocks blocks;
 };
 
-Nearest nearest(const Vec3& place, const Vec3& normal, const Skin& skin) {
-  const NearestSample found = nearest_sample(skin.blocks, place);
+struct MappedSkin {
+  std::vector<SurfaceSample> samples;
+  SampleBlocks blocks;
+  double spacing;
+};
+
+Nearest nearest(const SurfaceSample& sample, const Skin& skin) {
+  const NearestSample found = nearest_sample(skin.blocks, sample.position);
   if (found.sample < 0) return {};
-  const Vec3 &there = skin.places[found.sample], &facing = skin.normals[found.sample];
-  return {std::abs((there - place).dot(facing)), found.distance, normal.dot(facing) > 0.5};
+  const SurfaceSample& there = skin.samples[found.sample];
+  return {std::abs((there.position - sample.position).dot(there.normal)), found.distance, sample.normal.dot(there.normal) > 0.5};
 }
 
-bool reaches(const Nearest& found, const Skin& other, double reach) {
+bool reaches(const SurfaceSample& sample, const Skin& other, double reach) {
+  const Nearest found = nearest(sample, other);
   return found.agrees && found.plane_distance < reach && found.distance < reach + other.spacing;
 }
 
-Skin mapped_skin(const Cloth& cloth, const Body& model) {
-  Skin skin;
-  for (std::size_t i = 0; i < model.surface_count; ++i) {
-    skin.places.push_back(cloth.nodes[i]);
-    skin.normals.emplace_back(cloth.rotations[i] * model.normals[i]);
-  }
-  skin.spacing = typical_spacing(skin.places);
-  skin.blocks = make_blocks(skin.places, skin.normals);
-  return skin;
-}
-
-Skin skin_of(const Shape& data) {
-  Skin skin{positions_of(data.surface), {}, data.surface_spacing, {}};
-  for (const SurfaceSample& s : data.surface) skin.normals.push_back(s.normal);
-  skin.blocks = make_blocks(skin.places, skin.normals);
+MappedSkin map_skin(const Cloth& cloth, const Body& model) {
+  MappedSkin skin;
+  for (std::size_t i = 0; i < model.surface_count; ++i) skin.samples.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
+  skin.spacing = typical_spacing(positions_of(skin.samples));
+  skin.blocks = make_blocks(skin.samples);
   return skin;
 }
 
@@ -59,11 +55,8 @@ Skin skin_of(const Shape& data) {
 bool in_flat_face(const Body& body, int node) {
   int flat = 0;
   for (const int other : body.neighbours[node]) {
-    if (other >= static_cast<int>(body.surface_count)) continue;
-    const double agreement = body.normals[other].dot(body.normals[node]);
-    const bool across_the_body = agreement < 0.5 || (body.nodes[other] - body.nodes[node]).norm() > skin_reach * body.spacing;
-    if (across_the_body) continue;
-    if (agreement < 0.96) return false;  // 16 degrees
+    if (!neighbours_on_skin(body, node, other)) continue;
+    if (body.normals[other].dot(body.normals[node]) < 0.96) return false;  // 16 degrees
     ++flat;
   }
   return flat >= 3;
@@ -73,22 +66,22 @@ bool in_flat_face(const Body& body, int node) {
 // off, the data goes on.
 double model_reached(const Skin& cloth_skin, const Skin& data_skin, const Body& model, const Interior& data, double reach) {
   double reached = 0, cut = 0;
-  for (std::size_t i = 0; i < cloth_skin.places.size(); ++i) {
-    if (reaches(nearest(cloth_skin.places[i], cloth_skin.normals[i], data_skin), data_skin, reach)) {
+  for (std::size_t i = 0; i < cloth_skin.samples.size(); ++i) {
+    if (reaches(cloth_skin.samples[i], data_skin, reach)) {
       ++reached;
-    } else if (in_flat_face(model, static_cast<int>(i)) && sample(data, cloth_skin.places[i]) > 0.9f) {
+    } else if (in_flat_face(model, static_cast<int>(i)) && sample(data, cloth_skin.samples[i].position) > 0.9f) {
       ++cut;
     }
   }
-  const double counted = static_cast<double>(cloth_skin.places.size()) - cut;
+  const double counted = static_cast<double>(cloth_skin.samples.size()) - cut;
   return counted > 0 ? reached / counted : 0;
 }
 
 // The data's samples on which the model comes to lie.
 std::vector<int> data_reached(const Skin& data_skin, const Skin& cloth_skin, double reach) {
   std::vector<int> reached;
-  for (std::size_t k = 0; k < data_skin.places.size(); ++k) {
-    if (reaches(nearest(data_skin.places[k], data_skin.normals[k], cloth_skin), cloth_skin, reach)) reached.push_back(static_cast<int>(k));
+  for (std::size_t k = 0; k < data_skin.samples.size(); ++k) {
+    if (reaches(data_skin.samples[k], cloth_skin, reach)) reached.push_back(static_cast<int>(k));
   }
   return reached;
 }
@@ -120,14 +113,19 @@ double edge_stretch(const Cloth& cloth, const Body& model) {
 
 }  // namespace
 
+double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
+  return matched_extent(model.diagonal, cloth.scale, data.diagonal);
+}
+
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
-  const double extent = std::min(data.diagonal, cloth.scale * model.diagonal), reach = reach_share * extent;
-  const Skin cloth_skin = mapped_skin(cloth, model.body), data_skin = skin_of(data);
-  if (cloth_skin.places.empty() || data_skin.places.empty()) return {};
+  const double extent = extent_of(cloth, model, data), reach = reached_share * extent;
+  const MappedSkin mapped = map_skin(cloth, model.body);
+  const Skin cloth_skin{mapped.samples, mapped.blocks, mapped.spacing}, data_skin{data.surface, data.surface_blocks, data.surface_spacing};
+  if (cloth_skin.samples.empty() || data_skin.samples.empty()) return {};
   const std::vector<int> reached = data_reached(data_skin, cloth_skin, reach);
   Evidence evidence;
   evidence.model_reached = model_reached(cloth_skin, data_skin, model.body, data.interior, reach);
-  evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.places.size());
+  evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.samples.size());
   evidence.data_near_reached = near_reached(reached, data.body, near_share * extent);
   evidence.stretch = edge_stretch(cloth, model.body);
   return evidence;

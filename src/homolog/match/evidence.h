@@ -9,6 +9,12 @@
 
 namespace homolog {
 
+/// So near, in matched extents along the normal, two skins are one.
+constexpr double reached_share = 0.02;
+
+/// The matched extent of the cloth's shapes (match.h).
+double extent_of(const Cloth& cloth, const Shape& model, const Shape& data);
+
 /// Shares of the skin samples and edges; all from 0 (bad) to 1 (good) but stretch.
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/refine.h"
@@ -39,15 +40,10 @@ bool better(const Refined& a, const Refined& b) {
 // Best first; of several drawn to the same map the best one stays.
 std::vector<Refined> without_duplicates(std::vector<Refined> all, const Shape& model, const Shape& data) {
   std::stable_sort(all.begin(), all.end(), better);
-  std::vector<Refined> kept;
-  for (Refined& candidate : all) {
+  return distinct(std::move(all), all.size(), [&](const Refined& candidate, const Refined& kept) {
     const double tolerance = same_map * extent_of(candidate.cloth, model, data);
-    const bool known = std::any_of(kept.begin(), kept.end(), [&](const Refined& other) {
-      return other.cloth.chirality == candidate.cloth.chirality && mean_distance(candidate.cloth.nodes, other.cloth.nodes) < tolerance;
-    });
-    if (!known) kept.push_back(std::move(candidate));
-  }
-  return kept;
+    return kept.cloth.chirality == candidate.cloth.chirality && mean_distance(candidate.cloth.nodes, kept.cloth.nodes) < tolerance;
+  });
 }
 
 // Share of a's mapped nodes that lie where b's do, whichever nodes those are: do both claim the same part of the data?
@@ -67,6 +63,11 @@ bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const S
   });
 }
 
+struct LaidSet {
+  GrownSet set;
+  std::vector<Vec3> image;  // of the model's points
+};
+
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
   std::vector<Refined> refined(sets.size());
   parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data, params.descriptor.kind); });
@@ -79,25 +80,22 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
 }  // namespace
 
 std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most, const Shape& model) {
+  std::erase_if(sets, [](const GrownSet& set) { return set.pairs.size() < least_grown; });
   std::stable_sort(sets.begin(), sets.end(), [](const GrownSet& a, const GrownSet& b) { return a.score > b.score; });
-  std::vector<GrownSet> distinct;
-  std::vector<std::vector<Vec3>> images;  // of the model's points
+  std::vector<LaidSet> laid;
   for (GrownSet& set : sets) {
-    if (distinct.size() == most) break;
-    if (set.pairs.size() < least_grown) continue;
-    std::vector<Vec3> image;
-    for (const SalientPoint& point : model.points) image.push_back(set.spline(point.position));
-    const double tolerance = same_start * set.spline.similarity.scale * model.diagonal;
-    bool known = false;
-    for (std::size_t k = 0; k < distinct.size() && !known; ++k) {
-      known = distinct[k].chirality == set.chirality &&
-              (2 * shared_pairs(set.pairs, distinct[k].pairs) > set.pairs.size() || mean_distance(image, images[k]) < tolerance);
-    }
-    if (known) continue;
-    distinct.push_back(std::move(set));
-    images.push_back(std::move(image));
+    laid.push_back({std::move(set), {}});
+    for (const SalientPoint& point : model.points) laid.back().image.push_back(laid.back().set.spline(point.position));
   }
-  return distinct;
+  laid = distinct(std::move(laid), most, [&](const LaidSet& candidate, const LaidSet& kept) {
+    const GrownSet &a = candidate.set, &b = kept.set;
+    if (a.chirality != b.chirality) return false;
+    const double tolerance = same_start * a.spline.similarity.scale * model.diagonal;
+    return 2 * shared_pairs(a.pairs, b.pairs) > a.pairs.size() || mean_distance(candidate.image, kept.image) < tolerance;
+  });
+  sets.clear();
+  for (LaidSet& l : laid) sets.push_back(std::move(l.set));
+  return sets;
 }
 
 bool allowed(Chirality chirality, Mirror mirror) {

@@ -21,6 +21,9 @@ struct Correspondence {
 };
 using CorrespondenceSet = std::vector<Correspondence>;
 
+std::vector<Vec3> model_positions(const CorrespondenceSet& set);
+std::vector<Vec3> data_positions(const CorrespondenceSet& set);
+
 /// What the refined map tells about a match (evidence.h).
 struct Evidence {
   double model_reached = 0;      ///< share of the model's skin that comes to lie on the data's, normals agreeing
@@ -45,6 +48,9 @@ struct Match {
   Evidence evidence;
   double model_coverage = 0, data_coverage = 0;  ///< share of each shape's skin that the match explains
 };
+
+/// The length by which a match of parts is measured: the diagonal of the model mapped at this scale, at most the data's.
+double matched_extent(double model_diagonal, double scale, double data_diagonal);
 
 /// How many candidates each stage let through, in order; tells where the last one died.
 struct StageCounts {

@@ -43,14 +43,9 @@ ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
 
 // Delta of the spline through the pairs alone, free of unit: what the paper calls bending (eq. 8).
 double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double model_diagonal) {
-  std::vector<Vec3> sources, targets;
-  for (const Correspondence& c : pairs) {
-    sources.push_back(c.model_point.position);
-    targets.push_back(c.data_point.position);
-  }
   if (pairs.size() < 2) return 0;
-  const SourceSystem system(sources, std::vector<double>(sources.size(), 0));
-  const ThinPlateSpline spline = ThinPlateSpline::similarity_free(system, targets, chirality);
+  const SourceSystem system(model_positions(pairs), std::vector<double>(pairs.size(), 0));
+  const ThinPlateSpline spline = ThinPlateSpline::similarity_free(system, data_positions(pairs), chirality);
   return spline.energy / (spline.similarity.scale * spline.similarity.scale * model_diagonal);
 }
 
@@ -67,10 +62,6 @@ void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSc
 }
 
 }  // namespace
-
-double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
-  return std::min(data.diagonal, cloth.scale * model.diagonal);
-}
 
 Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind) {
   Refined refined{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};

@@ -26,7 +26,4 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
 /// The match with its warp; chamfer and the final handedness are left to the family.
 Match match_of(const Refined& refined, const Shape& model);
 
-/// Diagonal of the mapped model, at most the data's: the length by which a match of parts is measured.
-double extent_of(const Cloth& cloth, const Shape& model, const Shape& data);
-
 }  // namespace homolog

@@ -38,6 +38,14 @@ void store_weights(ThinPlateSpline& spline, const std::vector<Vec3>& sources, co
 
 double phi(Kernel kernel, double distance) { return kernel == Kernel::r ? distance : distance * distance * distance; }
 
+Turn nearest_turn(const Mat3& covariance, Chirality chirality) {
+  const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
+  Vec3 D(1, 1, 1);
+  const double wanted = chirality == Chirality::proper ? 1 : -1;
+  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * wanted < 0) D.z() = -1;
+  return {svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose(), svd.singularValues().dot(D)};
+}
+
 ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, const std::vector<Vec3>& targets) {
   require(sources.size() == targets.size() && sources.size() >= 4, "an affine-free spline needs at least four pairs");
   const Eigen::Index n = sources.size();
@@ -92,23 +100,19 @@ ThinPlateSpline ThinPlateSpline::similarity_free(const SourceSystem& system, con
   require(targets.size() == system.sources().size(), "a spline needs as many targets as sources");
   const Eigen::MatrixX3d X = rows_of(system.sources()), Y = rows_of(targets);
   const Eigen::MatrixX3d MX = system.solve(X).topRows(n), MY = system.solve(Y).topRows(n);  // M: constants are projected out
-  const Eigen::JacobiSVD<Mat3> svd(Y.transpose() * MX, Eigen::ComputeFullU | Eigen::ComputeFullV);
-  Vec3 D(1, 1, 1);
-  const double wanted = chirality == Chirality::proper ? 1 : -1;
-  if ((svd.matrixU() * svd.matrixV().transpose()).determinant() * wanted < 0) D.z() = -1;
+  const Turn turn = nearest_turn(Y.transpose() * MX, chirality);
   const double spread = (X.transpose() * MX).trace();
-  const double trace = svd.singularValues().dot(D);
 
   ThinPlateSpline spline;
-  spline.similarity.rotation = svd.matrixU() * D.asDiagonal() * svd.matrixV().transpose();
-  spline.similarity.scale = trace / spread;
+  spline.similarity.rotation = turn.rotation;
+  spline.similarity.scale = turn.trace / spread;
   const Mat3 A = spline.similarity.scale * spline.similarity.rotation;
   const Eigen::MatrixX3d solution = system.solve(Y - X * A.transpose());
   store_weights(spline, system.sources(), -solution.topRows(n));  // -phi is the positive kernel
   spline.similarity.shift = solution.row(n);
   spline.affine.leftCols<3>() = A;
   spline.affine.col(3) = spline.similarity.shift;
-  spline.energy = std::max(0.0, (Y.transpose() * MY).trace() - trace * trace / spread);
+  spline.energy = std::max(0.0, (Y.transpose() * MY).trace() - turn.trace * turn.trace / spread);
   return spline;
 }
 

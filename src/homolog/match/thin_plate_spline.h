@@ -25,6 +25,13 @@ struct Similarity {
 
 enum class Chirality { proper, mirrored };
 
+/// The orthogonal matrix of the wanted determinant nearest to a covariance, and the trace of covariance times its transpose.
+struct Turn {
+  Mat3 rotation;
+  double trace;
+};
+Turn nearest_turn(const Mat3& covariance, Chirality chirality);
+
 /// The matrix [K 1; 1' 0] with K_kl = -|x_k - x_l| + nugget_k, solved once for many targets: the spline of kernel -r about the sources,
 /// where `nugget[k]` >= 0 (units of length) says how far the value at source k may be missed. Needs n >= 2 different sources.
 class SourceSystem {

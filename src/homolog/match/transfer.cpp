@@ -56,12 +56,6 @@ double disagreement_at(const MatchMap& match, const Vec3& x, const Vec3& image, 
   return least / extent;
 }
 
-CoveredSamples covered_samples(const std::vector<SurfaceSample>& surface, const std::vector<float>& weights) {
-  CoveredSamples samples{{}, weights};
-  for (const SurfaceSample& s : surface) samples.positions.push_back(s.position);
-  return samples;
-}
-
 }  // namespace
 
 std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape& model, const Shape& data,
@@ -73,8 +67,8 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
                     matches[i].similarity.scale,
                     model.diagonal,
                     data.diagonal,
-                    covered_samples(model.surface, parts[i].model.samples),
-                    covered_samples(data.surface, parts[i].data.samples)});
+                    {positions_of(model.surface), parts[i].model.samples},
+                    {positions_of(data.surface), parts[i].data.samples}});
   }
   set_rivals(maps);
   return maps;
@@ -129,7 +123,7 @@ std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<
   const bool forwards = direction == Direction::data_from_model;
   const CoveredSamples& samples = forwards ? match.model : match.data;
   const double diagonal = forwards ? match.model_diagonal : match.data_diagonal;
-  const double extent = std::min(match.data_diagonal, match.scale * match.model_diagonal);
+  const double extent = matched_extent(match.model_diagonal, match.scale, match.data_diagonal);
   const std::vector<Vec3> images = forwards ? std::vector<Vec3>{} : images_of_centres(match.data_from_model);
   std::vector<CarriedPoint> carried(points.size());
   parallel_for(points.size(), [&](std::size_t i) {

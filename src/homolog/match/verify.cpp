@@ -30,11 +30,7 @@ std::vector<SalientPoint> points_of(const CorrespondenceSet& set, SalientPoint C
 }
 
 Match match_of(const CorrespondenceSet& set, const Shape& model, const Shape& data) {
-  std::vector<Vec3> sources, targets;
-  for (const Correspondence& c : set) {
-    sources.push_back(c.model_point.position);
-    targets.push_back(c.data_point.position);
-  }
+  const std::vector<Vec3> sources = model_positions(set), targets = data_positions(set);
   Match match;
   match.pairs = set;
   match.data_from_model = ThinPlateSpline::affine_free(sources, targets);

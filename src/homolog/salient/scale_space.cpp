@@ -24,6 +24,14 @@ struct VoxelBox {
   std::array<int, 3> low, high;  // inclusive
 };
 
+// The nonzero part of a row.
+Run nonzero_run(const float* row, int count) {
+  int low = 0, high = count;
+  while (low < high && row[low] == 0) ++low;
+  while (high > low && row[high - 1] == 0) --high;
+  return {low, high};
+}
+
 // The smallest box of all nonempty voxels.
 VoxelBox content_of(const Interior& interior) {
   const auto& size = interior.frame.size;
@@ -31,12 +39,10 @@ VoxelBox content_of(const Interior& interior) {
   for (int k = 0; k < size[2]; ++k) {
     for (int j = 0; j < size[1]; ++j) {
       const float* row = interior.values.data() + interior.frame.index(0, j, k);
-      int first = 0, last = size[0] - 1;
-      while (first <= last && row[first] == 0) ++first;
-      while (last > first && row[last] == 0) --last;
-      if (first > last) continue;
-      box.low = {std::min(box.low[0], first), std::min(box.low[1], j), std::min(box.low[2], k)};
-      box.high = {std::max(box.high[0], last), std::max(box.high[1], j), std::max(box.high[2], k)};
+      const Run run = nonzero_run(row, size[0]);
+      if (run.empty()) continue;
+      box.low = {std::min(box.low[0], run.low), std::min(box.low[1], j), std::min(box.low[2], k)};
+      box.high = {std::max(box.high[0], run.high - 1), std::max(box.high[1], j), std::max(box.high[2], k)};
     }
   }
   return box;
@@ -53,14 +59,6 @@ GridFrame frame_around(const GridFrame& source, const VoxelBox& box, int step, i
   frame.spacing = step * source.spacing;
   frame.origin = source.world_from_voxel(Vec3(first[0], first[1], first[2]));
   return frame;
-}
-
-// The nonzero part of a row.
-Run nonzero_run(const float* row, int count) {
-  int low = 0, high = count;
-  while (low < high && row[low] == 0) ++low;
-  while (high > low && row[high - 1] == 0) --high;
-  return {low, high};
 }
 
 // Slice k of the padded coverage: voxel v of it is voxel v + shift of the interior.

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "homolog/base/halve.h"
+
 namespace homolog {
 namespace {
 
@@ -54,12 +56,10 @@ NearestSurface::NearestSurface(Mesh mesh, std::vector<Vec3> normals) : mesh_(std
 
 std::uint32_t NearestSurface::build(std::uint32_t first, std::uint32_t end, const std::vector<Vec3>& centres) {
   const auto number = static_cast<std::uint32_t>(nodes_.size());
-  Box box, middle;
-  box.min = middle.min = Vec3::Constant(std::numeric_limits<double>::infinity());
-  box.max = middle.max = -box.min;
+  Box box;
+  box.min = Vec3::Constant(std::numeric_limits<double>::infinity());
+  box.max = -box.min;
   for (std::uint32_t i = first; i < end; ++i) {
-    middle.min = middle.min.cwiseMin(centres[order_[i]]);
-    middle.max = middle.max.cwiseMax(centres[order_[i]]);
     for (const std::uint32_t corner : mesh_.triangles[order_[i]]) {
       box.min = box.min.cwiseMin(mesh_.vertices[corner]);
       box.max = box.max.cwiseMax(mesh_.vertices[corner]);
@@ -67,12 +67,8 @@ std::uint32_t NearestSurface::build(std::uint32_t first, std::uint32_t end, cons
   }
   nodes_.push_back({box, first, end - first});
   if (end - first <= leaf_size) return number;
-  Eigen::Index axis = 0;
-  (middle.max - middle.min).maxCoeff(&axis);
   const std::uint32_t half = first + (end - first) / 2;
-  std::nth_element(order_.begin() + first, order_.begin() + half, order_.begin() + end, [&](std::uint32_t s, std::uint32_t t) {
-    return centres[s][axis] != centres[t][axis] ? centres[s][axis] < centres[t][axis] : s < t;
-  });
+  halve(order_.begin() + first, order_.begin() + half, order_.begin() + end, centres);
   build(first, half, centres);
   const std::uint32_t second = build(half, end, centres);
   nodes_[number].first = second;

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: MIT
-#include "homolog/match/sample_blocks.h"
+#include "homolog/describe/sample_blocks.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numeric>
 
+#include "homolog/base/halve.h"
+
 namespace homolog {
 namespace {
 
 using Order = std::vector<int>;
 
-SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, const std::vector<Vec3>& places,
-                       const std::vector<Vec3>& normals, const Vec3& middle) {
-  constexpr float far_away = 1e15f;  // its square is still finite
+SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, const std::vector<SurfaceSample>& samples,
+                       const Vec3& middle, float far_away) {
   SampleBlock block;
   block.x = block.y = block.z = BlockFloats::Constant(far_away);
   block.nx = block.ny = block.nz = BlockFloats::Zero();
@@ -21,8 +22,8 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
   block.centre.setZero();
   const auto count = static_cast<int>(last - first);
   for (int k = 0; k < count; ++k) {
-    const int sample = block.sample[k] = first[k];
-    const Eigen::Vector3f place = (places[sample] - middle).cast<float>(), normal = normals[sample].cast<float>();
+    const SurfaceSample& sample = samples[block.sample[k] = first[k]];
+    const Eigen::Vector3f place = (sample.position - middle).cast<float>(), normal = sample.normal.cast<float>();
     block.x[k] = place.x(), block.y[k] = place.y(), block.z[k] = place.z();
     block.nx[k] = normal.x(), block.ny[k] = normal.y(), block.nz[k] = normal.z();
     block.centre += place / static_cast<float>(count);
@@ -31,34 +32,37 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
   return block;
 }
 
-void split(Order::iterator first, Order::iterator last, const std::vector<Vec3>& places, const std::vector<Vec3>& normals,
-           SampleBlocks& into) {
+// The borders of the blocks; only the last one may be less than full.
+void split(Order::iterator first, Order::iterator last, const std::vector<Vec3>& places, std::vector<Order::const_iterator>& borders) {
   if (last - first <= block_size) {
-    into.blocks.push_back(fill_block(first, last, places, normals, into.middle));
+    borders.push_back(last);
     return;
   }
-  Vec3 low = places[*first], high = low;
-  for (auto it = first; it != last; ++it) low = low.cwiseMin(places[*it]), high = high.cwiseMax(places[*it]);
-  int axis = 0;
-  (high - low).maxCoeff(&axis);
   const auto blocks = (last - first + block_size - 1) / block_size;
-  const auto cut = first + (blocks + 1) / 2 * block_size;  // whole blocks to the left, so that only the last one is not full
-  std::nth_element(first, cut, last,
-                   [&](int a, int b) { return places[a][axis] != places[b][axis] ? places[a][axis] < places[b][axis] : a < b; });
-  split(first, cut, places, normals, into);
-  split(cut, last, places, normals, into);
+  const auto cut = first + (blocks + 1) / 2 * block_size;
+  halve(first, cut, last, places);
+  split(first, cut, places, borders);
+  split(cut, last, places, borders);
 }
 
 }  // namespace
 
-SampleBlocks make_blocks(const std::vector<Vec3>& places, const std::vector<Vec3>& normals) {
-  SampleBlocks samples;
-  if (places.empty()) return samples;
-  for (const Vec3& place : places) samples.middle += place / static_cast<double>(places.size());
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples) {
+  SampleBlocks blocks;
+  if (samples.empty()) return blocks;
+  const std::vector<Vec3> places = positions_of(samples);
+  for (const Vec3& place : places) blocks.middle += place / static_cast<double>(places.size());
+  double farthest = 0;
+  for (const Vec3& place : places) farthest = std::max(farthest, (place - blocks.middle).norm());
   Order order(places.size());
   std::iota(order.begin(), order.end(), 0);
-  split(order.begin(), order.end(), places, normals, samples);
-  return samples;
+  std::vector<Order::const_iterator> borders{order.begin()};
+  split(order.begin(), order.end(), places, borders);
+  const auto far_away = static_cast<float>(1e6 * farthest);
+  for (std::size_t b = 1; b < borders.size(); ++b) {
+    blocks.blocks.push_back(fill_block(borders[b - 1], borders[b], samples, blocks.middle, far_away));
+  }
+  return blocks;
 }
 
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place) {

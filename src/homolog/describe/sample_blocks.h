@@ -6,7 +6,7 @@
 #include <array>
 #include <vector>
 
-#include "homolog/base/vec.h"
+#include "homolog/describe/surface_samples.h"
 
 namespace homolog {
 
@@ -28,7 +28,7 @@ struct SampleBlocks {
 };
 
 /// Halves the samples across their longest side until a block holds each piece.
-SampleBlocks make_blocks(const std::vector<Vec3>& places, const std::vector<Vec3>& normals);
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples);
 
 /// Squared distances from a place, relative to the middle, to the samples of a block.
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place);

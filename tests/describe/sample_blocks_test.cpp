@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Blocks hold every sample once and find the nearest one as looking at all of them does.
-#include "homolog/match/sample_blocks.h"
+#include "homolog/describe/sample_blocks.h"
 
 #include <gtest/gtest.h>
 
@@ -19,10 +19,16 @@ std::vector<Vec3> scattered(int count, unsigned seed) {
   return places;
 }
 
+std::vector<SurfaceSample> samples_at(const std::vector<Vec3>& places) {
+  std::vector<SurfaceSample> samples;
+  for (const Vec3& place : places) samples.push_back({place, Vec3::UnitZ()});
+  return samples;
+}
+
 TEST(SampleBlocks, HoldEverySampleOnce) {
   for (const int count : {1, 15, 16, 17, 100, 401}) {
     const std::vector<Vec3> places = scattered(count, 1);
-    const SampleBlocks samples = make_blocks(places, places);
+    const SampleBlocks samples = make_blocks(samples_at(places));
     EXPECT_EQ(static_cast<int>(samples.blocks.size()), (count + block_size - 1) / block_size);
     std::set<int> seen;
     for (const SampleBlock& block : samples.blocks) {
@@ -36,7 +42,7 @@ TEST(SampleBlocks, HoldEverySampleOnce) {
 
 TEST(SampleBlocks, FindTheNearest) {
   const std::vector<Vec3> places = scattered(300, 2);
-  const SampleBlocks samples = make_blocks(places, places);
+  const SampleBlocks samples = make_blocks(samples_at(places));
   for (const Vec3& place : scattered(200, 3)) {
     double least = std::numeric_limits<double>::infinity();
     for (const Vec3& other : places) least = std::min(least, (other - place).norm());
@@ -46,7 +52,7 @@ TEST(SampleBlocks, FindTheNearest) {
   }
 }
 
-TEST(SampleBlocks, NoSamplesNoNearest) { EXPECT_EQ(nearest_sample(make_blocks({}, {}), Vec3::Zero()).sample, -1); }
+TEST(SampleBlocks, NoSamplesNoNearest) { EXPECT_EQ(nearest_sample(make_blocks({}), Vec3::Zero()).sample, -1); }
 
 }  // namespace
 }  // namespace homolog
