@@ -13,11 +13,6 @@
 namespace homolog {
 namespace {
 
-const Shape& hand() {
-  static const Shape shape = fixtures::described(fixtures::hand());
-  return shape;
-}
-
 constexpr ClothSchedule schedule{16, 0.06, 0.015, 2, 0.2};  // as refine.cpp draws first
 using Map = std::function<Vec3(const Vec3&)>;
 
@@ -32,7 +27,7 @@ ThinPlateSpline spline_of(const Similarity& map) {
 std::vector<SurfaceSample> carried(const Map& map, double sign = 1) {
   std::vector<SurfaceSample> samples;
   for (std::size_t i = 0; i < 400; ++i) {
-    const auto& [x, n] = hand().surface[i];
+    const auto& [x, n] = fixtures::described_hand().surface[i];
     const Vec3 u = n.unitOrthogonal(), v = n.cross(u);
     const double h = 1e-5;
     const Vec3 normal = sign * (map(x + h * u) - map(x - h * u)).cross(map(x + h * v) - map(x - h * v));
@@ -43,7 +38,7 @@ std::vector<SurfaceSample> carried(const Map& map, double sign = 1) {
 
 double mean_error(const Cloth& cloth, const Map& truth) {
   double sum = 0;
-  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) sum += (cloth.nodes[i] - truth(hand().body.nodes[i])).norm();
+  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) sum += (cloth.nodes[i] - truth(fixtures::described_hand().body.nodes[i])).norm();
   return sum / static_cast<double>(cloth.nodes.size());
 }
 
@@ -52,7 +47,7 @@ Vec3 curl(const Vec3& x) { return Eigen::AngleAxisd(0.35 * (x.y() + 0.9), Vec3::
 
 TEST(Cloth, LiesWhereTheSplineSays) {
   const Similarity map = synthetic::similarity(Chirality::mirrored, 3);
-  const Cloth cloth = lay_cloth(hand().body, spline_of(map), Chirality::mirrored);
+  const Cloth cloth = lay_cloth(fixtures::described_hand().body, spline_of(map), Chirality::mirrored);
   EXPECT_LT(mean_error(cloth, map), 1e-12);
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
     EXPECT_LT((cloth.rotations[i] - map.rotation).norm(), 1e-4);  // turning stops at 1e-5 radians
@@ -62,37 +57,39 @@ TEST(Cloth, LiesWhereTheSplineSays) {
 
 TEST(Cloth, AnExactStartStays) {
   const Map identity = [](const Vec3& x) { return x; };
-  Cloth cloth = lay_cloth(hand().body, {}, Chirality::proper);
-  draw_cloth(cloth, hand().body, carried(identity), hand().diagonal, {}, schedule);
-  EXPECT_LT(mean_error(cloth, identity), 0.25 * hand().body.spacing);  // soft assignment shrinks edges by a part of the spacing
+  Cloth cloth = lay_cloth(fixtures::described_hand().body, {}, Chirality::proper);
+  draw_cloth(cloth, fixtures::described_hand().body, carried(identity), fixtures::described_hand().diagonal, {}, schedule);
+  EXPECT_LT(mean_error(cloth, identity),
+            0.25 * fixtures::described_hand().body.spacing);  // soft assignment shrinks edges by a part of the spacing
 }
 
 TEST(Cloth, FollowsABendAndATurn) {
   const Mat3 turn = Eigen::AngleAxisd(0.15, Vec3(1, 2, 3).normalized()).toRotationMatrix();
   const Map truth = [&](const Vec3& x) -> Vec3 { return turn * curl(x) + Vec3(0.03, 0, 0); };
-  Cloth cloth = lay_cloth(hand().body, {}, Chirality::proper);
+  Cloth cloth = lay_cloth(fixtures::described_hand().body, {}, Chirality::proper);
   const double before = mean_error(cloth, truth);
-  draw_cloth(cloth, hand().body, carried(truth), hand().diagonal, {}, schedule);
-  EXPECT_GT(before, 2 * hand().body.spacing);  // worth following
+  draw_cloth(cloth, fixtures::described_hand().body, carried(truth), fixtures::described_hand().diagonal, {}, schedule);
+  EXPECT_GT(before, 2 * fixtures::described_hand().body.spacing);  // worth following
   EXPECT_LT(mean_error(cloth, truth), 0.25 * before);
 }
 
 TEST(Cloth, AnchorsHoldWhatTheSkinAloneWouldLose) {
   const Map truth = [](const Vec3& x) -> Vec3 { return Eigen::AngleAxisd(1.2, Vec3::UnitZ()) * x; };
   std::vector<Anchor> anchors;
-  for (std::size_t p = 0; p < hand().points.size(); ++p) anchors.push_back({hand().body.point_node(p), truth(hand().points[p].position)});
-  Cloth lost = lay_cloth(hand().body, {}, Chirality::proper), held = lost;
-  draw_cloth(lost, hand().body, carried(truth), hand().diagonal, {}, schedule);
-  draw_cloth(held, hand().body, carried(truth), hand().diagonal, anchors, schedule);
+  for (std::size_t p = 0; p < fixtures::described_hand().points.size(); ++p)
+    anchors.push_back({fixtures::described_hand().body.point_node(p), truth(fixtures::described_hand().points[p].position)});
+  Cloth lost = lay_cloth(fixtures::described_hand().body, {}, Chirality::proper), held = lost;
+  draw_cloth(lost, fixtures::described_hand().body, carried(truth), fixtures::described_hand().diagonal, {}, schedule);
+  draw_cloth(held, fixtures::described_hand().body, carried(truth), fixtures::described_hand().diagonal, anchors, schedule);
   EXPECT_LT(mean_error(held, truth), 0.5 * mean_error(lost, truth));  // a turn of 70 degrees, and no anchors but at the points
 }
 
 TEST(Cloth, LocalFramesKeepTheChirality) {
   const Mat3 mirror = fixtures::mirror_x();
   const Map truth = [&](const Vec3& x) -> Vec3 { return mirror * curl(x); };
-  Cloth cloth = lay_cloth(hand().body, spline_of({1, mirror, Vec3::Zero()}), Chirality::mirrored);
+  Cloth cloth = lay_cloth(fixtures::described_hand().body, spline_of({1, mirror, Vec3::Zero()}), Chirality::mirrored);
   const double before = mean_error(cloth, truth);
-  draw_cloth(cloth, hand().body, carried(truth, -1), hand().diagonal, {}, schedule);
+  draw_cloth(cloth, fixtures::described_hand().body, carried(truth, -1), fixtures::described_hand().diagonal, {}, schedule);
   EXPECT_LT(mean_error(cloth, truth), 0.4 * before);
   for (const Mat3& rotation : cloth.rotations) {
     EXPECT_NEAR(rotation.determinant(), -1, 1e-9);
@@ -101,17 +98,17 @@ TEST(Cloth, LocalFramesKeepTheChirality) {
 }
 
 TEST(Cloth, PlaceAndSizeOfTheWorldDoNotMatter) {
-  Cloth here = lay_cloth(hand().body, {}, Chirality::proper);
-  draw_cloth(here, hand().body, carried(curl), hand().diagonal, {}, schedule);
+  Cloth here = lay_cloth(fixtures::described_hand().body, {}, Chirality::proper);
+  draw_cloth(here, fixtures::described_hand().body, carried(curl), fixtures::described_hand().diagonal, {}, schedule);
   for (const double scale : {1e-3, 1e3}) {
     const Similarity away{scale, Mat3::Identity(), scale * Vec3(1e4, -2e4, 500)};
-    Cloth there = lay_cloth(hand().body, spline_of(away), Chirality::proper);
+    Cloth there = lay_cloth(fixtures::described_hand().body, spline_of(away), Chirality::proper);
     std::vector<SurfaceSample> samples = carried(curl);
     for (SurfaceSample& s : samples) s.position = away(s.position);
-    draw_cloth(there, hand().body, samples, scale * hand().diagonal, {}, schedule);
+    draw_cloth(there, fixtures::described_hand().body, samples, scale * fixtures::described_hand().diagonal, {}, schedule);
     double worst = 0;
     for (std::size_t i = 0; i < here.nodes.size(); ++i) worst = std::max(worst, (there.nodes[i] - away(here.nodes[i])).norm() / scale);
-    EXPECT_LT(worst, 1e-3 * hand().diagonal) << scale;  // weights are single precision, over 16 rounds
+    EXPECT_LT(worst, 1e-3 * fixtures::described_hand().diagonal) << scale;  // weights are single precision, over 16 rounds
   }
 }
 

@@ -9,19 +9,14 @@
 namespace homolog {
 namespace {
 
-const Shape& hand() {
-  static const Shape shape = fixtures::described(fixtures::hand());
-  return shape;
-}
-
 Cloth laid(const Similarity& map) {
   ThinPlateSpline spline;
   spline.similarity = map;
   spline.affine << map.scale * map.rotation, map.shift;
-  return lay_cloth(hand().body, spline, map.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper);
+  return lay_cloth(fixtures::described_hand().body, spline, map.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper);
 }
 
-Evidence weigh_on_itself(const Cloth& cloth) { return weigh(cloth, hand(), hand()); }
+Evidence weigh_on_itself(const Cloth& cloth) { return weigh(cloth, fixtures::described_hand(), fixtures::described_hand()); }
 
 Mat3 half_turn() { return Eigen::AngleAxisd(M_PI, Vec3::UnitY()).toRotationMatrix(); }
 
@@ -60,11 +55,12 @@ TEST(Evidence, StretchIsTheSpreadOfLogarithmsOfLengths) {
 }
 
 TEST(Evidence, APartIsJudgedByTheDataNearIt) {
-  Shape with_stranger = hand();
+  Shape with_stranger = fixtures::described_hand();
   with_stranger.diagonal = 5;
-  for (const SurfaceSample& s : hand().surface) with_stranger.surface.push_back({s.position + Vec3(5, 0, 0), s.normal});
+  for (const SurfaceSample& s : fixtures::described_hand().surface) with_stranger.surface.push_back({s.position + Vec3(5, 0, 0), s.normal});
+  with_stranger.surface_blocks = make_blocks(with_stranger.surface);
   const Evidence alone = weigh_on_itself(laid({}));
-  const Evidence evidence = weigh(laid({}), hand(), with_stranger);
+  const Evidence evidence = weigh(laid({}), fixtures::described_hand(), with_stranger);
   EXPECT_NEAR(evidence.data_reached, 0.5 * alone.data_reached, 1e-9);
   EXPECT_NEAR(evidence.data_near_reached, alone.data_near_reached, 1e-9);
 }
@@ -116,7 +112,7 @@ TEST(Evidence, NearMeansNearAlongTheInside) {
 }
 
 TEST(Evidence, NothingReachesNothing) {
-  const Evidence evidence = weigh(laid({}), hand(), {});
+  const Evidence evidence = weigh(laid({}), fixtures::described_hand(), {});
   EXPECT_EQ(evidence.model_reached, 0);
   EXPECT_EQ(evidence.data_reached, 0);
 }

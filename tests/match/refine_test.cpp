@@ -11,11 +11,6 @@ namespace {
 
 using namespace fixtures;
 
-const Shape& shape() {
-  static const Shape described_hand = described(hand());
-  return described_hand;
-}
-
 GrownSet start(const homolog::Similarity& map) {
   GrownSet set;
   set.spline.similarity = map;
@@ -25,21 +20,21 @@ GrownSet start(const homolog::Similarity& map) {
 
 TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
   const Mat3 turn = Eigen::AngleAxisd(0.15, Vec3(1, 1, 1).normalized()).toRotationMatrix();
-  Refined refined = draw_set(start({1.05, turn, Vec3(0.02, 0, 0)}), shape(), shape(), DescriptorKind::free);
-  guide_pairs(refined, shape(), shape(), DescriptorKind::free);
-  ASSERT_EQ(refined.pairs.size(), shape().points.size());
-  EXPECT_GT(refined.evidence.support, 0.8 * static_cast<double>(shape().points.size()));
+  Refined refined = draw_set(start({1.05, turn, Vec3(0.02, 0, 0)}), described_hand(), described_hand(), DescriptorKind::free);
+  guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);
+  ASSERT_EQ(refined.pairs.size(), described_hand().points.size());
+  EXPECT_GT(refined.evidence.support, 0.8 * static_cast<double>(described_hand().points.size()));
   for (const Correspondence& c : refined.pairs) EXPECT_EQ(c.model, c.data);
   EXPECT_EQ(refined.confidence, confidence_of(refined.evidence, Chirality::proper));
 }
 
 TEST(Refine, TheMatchTellsItsClothAsASpline) {
-  Refined refined = draw_set(start({}), shape(), shape(), DescriptorKind::free);
-  guide_pairs(refined, shape(), shape(), DescriptorKind::free);
-  const Match match = match_of(refined, shape());
+  Refined refined = draw_set(start({}), described_hand(), described_hand(), DescriptorKind::free);
+  guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);
+  const Match match = match_of(refined, described_hand());
   for (std::size_t i = 0; i < refined.cloth.nodes.size(); ++i) {
-    const double missed = (match.data_from_model(shape().body.nodes[i]) - refined.cloth.nodes[i]).norm();
-    EXPECT_LT(missed, 0.1 * shape().body.spacing);  // nuggets of .02 spacings smooth a little
+    const double missed = (match.data_from_model(described_hand().body.nodes[i]) - refined.cloth.nodes[i]).norm();
+    EXPECT_LT(missed, 0.1 * described_hand().body.spacing);  // nuggets of .02 spacings smooth a little
   }
   EXPECT_EQ(match.handedness, Handedness::proper);
   EXPECT_EQ(match.model_coverage, refined.evidence.model_reached);
@@ -50,9 +45,9 @@ TEST(Refine, TheMatchTellsItsClothAsASpline) {
 TEST(Refine, ExtentIsTheSmallerOfMappedModelAndData) {
   Cloth cloth;
   cloth.scale = 0.5;
-  EXPECT_DOUBLE_EQ(extent_of(cloth, shape(), shape()), 0.5 * shape().diagonal);
+  EXPECT_DOUBLE_EQ(extent_of(cloth, described_hand(), described_hand()), 0.5 * described_hand().diagonal);
   cloth.scale = 2;
-  EXPECT_DOUBLE_EQ(extent_of(cloth, shape(), shape()), shape().diagonal);
+  EXPECT_DOUBLE_EQ(extent_of(cloth, described_hand(), described_hand()), described_hand().diagonal);
 }
 
 }  // namespace
