@@ -2,22 +2,27 @@
 # Installs by apt what homolog needs on Debian 12 or Ubuntu (22.04, 24.04). Never asks; calls no apt when all is there.
 #   scripts/install_dependencies.sh               everything, for scripts/test.sh
 #   scripts/install_dependencies.sh --build-only  without what only tests and checks need, for scripts/demo.sh
+#   scripts/install_dependencies.sh --fuzz        everything, and the newest clang, for scripts/fuzz.sh
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 fail() { echo "install_dependencies: $*" >&2; exit 1; }
 
-tests=yes
+tests=yes wants_clang=no
 case "${1:-}" in
   "") ;;
   --build-only) tests=no ;;
-  *) fail "unknown option '$1'; the only one is --build-only." ;;
+  --fuzz) wants_clang=yes ;;
+  *) fail "unknown option '$1'; there are --build-only and --fuzz." ;;
 esac
 
 have() { command -v "$1" >/dev/null; }
 installed() { [[ $(dpkg-query -W -f '${db:Status-Abbrev}' "$1" 2>/dev/null) == ii* ]]; }
 node_is_new_enough() { have npm && have node && [[ "$(node -p 'process.versions.node.split(".")[0] >= 18')" == true ]]; }
 have_clang_tidy() { for v in 16 17 18 19 20; do have "clang-tidy-$v" && return; done; return 1; }
+# Newest first; libFuzzer and the sanitizers stand in a package beside the compiler.
+clangs=(22 21 20 19 18 17 16 15 14)
+have_fuzzing_clang() { for v in "${clangs[@]}"; do if have "clang++-$v" && installed "libclang-rt-$v-dev"; then return; fi; done; return 1; }
 have_browser() { have chromium || have google-chrome || have google-chrome-stable; }
 
 if ! have dpkg-query || ! have apt-get; then fail "this script knows only apt; elsewhere install the packages named in it by hand."; fi
@@ -40,7 +45,8 @@ if [[ $tests == yes ]]; then
   have_clang_tidy || wants_clang_tidy=yes
   have_browser || wants_browser=yes
 fi
-if [[ ${#missing[@]} -eq 0 && $wants_clang_tidy == no && $wants_browser == no ]]; then exit 0; fi
+if [[ $wants_clang == yes ]] && have_fuzzing_clang; then wants_clang=no; fi
+if [[ ${#missing[@]} -eq 0 && $wants_clang_tidy == no && $wants_browser == no && $wants_clang == no ]]; then exit 0; fi
 
 as_root=()
 if [[ $EUID -ne 0 ]]; then
@@ -60,6 +66,12 @@ if [[ $wants_clang_tidy == yes ]]; then
     if offers "clang-tidy-$version"; then missing+=("clang-tidy-$version"); break; fi
   done
   [[ "${missing[*]}" == *clang-tidy* ]] || echo "install_dependencies: no clang-tidy from 16 on in this system; scripts/check.sh will leave it out." >&2
+fi
+if [[ $wants_clang == yes ]]; then
+  for version in "${clangs[@]}"; do
+    if offers "clang-$version" && offers "libclang-rt-$version-dev"; then missing+=("clang-$version" "libclang-rt-$version-dev"); break; fi
+  done
+  [[ "${missing[*]}" == *libclang-rt* ]] || fail "this system offers no clang with libFuzzer."
 fi
 # Ubuntu has Chromium only as a snap, which cannot run everywhere; Playwright's own build stands in for it below.
 if [[ $wants_browser == yes ]] && offers chromium; then missing+=(chromium); wants_browser=no; fi

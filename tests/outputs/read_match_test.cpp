@@ -86,6 +86,17 @@ TEST_F(ReadFamily, RefusesPartsOfAnotherMatch) {
   EXPECT_THAT(message(), HasSubstr("parts.json: it belongs to another match.json"));
 }
 
+TEST_F(ReadFamily, RefusalsHoldNoCommandsForTheTerminal) {
+  write_file(folder / "match.json", "\"\x7f");
+  EXPECT_THAT(message(), HasSubstr("missing closing quote; last read: '\"?'"));
+}
+
+TEST_F(ReadFamily, RefusesListsInListsDeeperThanTheStack) {
+  const std::size_t depth = 1000000;
+  write_file(folder / "match.json", "{\"format\": " + std::string(depth, '[') + std::string(depth, ']') + "}");
+  EXPECT_THAT(message(), HasSubstr("its format is array"));
+}
+
 TEST_F(ReadFamily, SaysWhatIsWrong) {
   write_file(folder / "match.json", points_json(model, {}));
   EXPECT_THAT(message(), HasSubstr("its format is \"homolog-points\", not \"homolog-match\""));

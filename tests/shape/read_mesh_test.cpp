@@ -45,6 +45,22 @@ TEST_F(ReadMesh, AppliesTheTransformsOfGltfNodes) {
   expect_error("a.gltf", gltf_text(), "truncated or damaged");
 }
 
+TEST_F(ReadMesh, OpensNothingOutsideTheFolderOfAScene) {
+  std::filesystem::create_directory(folder_ / "below");
+  for (const char* name : {"outside.bin", "below/inside.bin"}) write(name, std::string(240, '\0'));
+  std::filesystem::create_symlink("../outside.bin", folder_ / "below" / "link.bin");
+  const auto naming = [](const std::string& uri) {
+    std::string text = gltf_text();
+    return text.replace(text.find("box.bin"), 7, uri);
+  };
+  expect_error("below/a.gltf", naming("inside.bin"), "no triangles");  // opened; all of its corners are one
+  expect_error("a.gltf", naming("below/inside.bin"), "no triangles");
+  for (const std::string& uri : {std::string("../outside.bin"), (folder_ / "outside.bin").string(), std::string("link.bin"),
+                                 std::string("../below/../outside.bin"), std::string("/dev/zero")}) {
+    expect_error("below/a.gltf", naming(uri), "could not open referenced file");
+  }
+}
+
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
   const auto message = [](const std::filesystem::path& path) {
     try {

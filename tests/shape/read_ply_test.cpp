@@ -89,6 +89,7 @@ TEST_F(ReadPly, RefusesDamagedHeaders) {
   expect_error("a.ply", "OFF\n", "line 1: this is not a PLY file");
   expect_error("a.ply", "ply\nformat utf8 1.0\nend_header\n", "line 2: the format is neither");
   expect_error("a.ply", "ply\nend_header\n", "no format line");
+  expect_error("a.ply", start + "element \x1b[2J 1\nend_header\n", "element ?[2J has no properties");  // no commands for the terminal
   expect_error("a.ply", start + "element vertex 3\n", "ends inside its header");
   expect_error("a.ply", start + "element vertex -3\nend_header\n", "line 3: the number of an element is negative");
   expect_error("a.ply", start + "element vertex many\nend_header\n", "line 3: 'many' is not a whole number");

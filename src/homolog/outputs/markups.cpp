@@ -5,6 +5,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/outputs/json_text.h"
+#include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
@@ -30,14 +31,15 @@ Vec3 lps_signs(const ordered_json& markup, const std::string& file) {
   const std::string system = markup.value("coordinateSystem", "LPS");
   if (system == "LPS") return {1, 1, 1};
   if (system == "RAS") return {-1, -1, 1};
-  throw FileError(fmt::format("{}: the coordinate system '{}' is not known; save the points as LPS or RAS", file, system));
+  throw FileError(fmt::format("{}: the coordinate system '{}' is not known; save the points as LPS or RAS", file, shown(system)));
 }
 
 MarkupPoint read_point(const ordered_json& json, const Vec3& signs, const std::string& file) {
   MarkupPoint point{json.value("label", ""), json.value("description", ""), {}};
   if (json.value("positionStatus", "defined") != "defined" || !json.contains("position")) return point;
   const auto x = json["position"].get<std::vector<double>>();
-  if (x.size() != 3) throw FileError(fmt::format("{}, point '{}': a position has three coordinates, not {}", file, point.label, x.size()));
+  if (x.size() != 3)
+    throw FileError(fmt::format("{}, point '{}': a position has three coordinates, not {}", file, shown(point.label), x.size()));
   point.position = signs.cwiseProduct(Vec3(x[0], x[1], x[2]));
   return point;
 }

@@ -6,6 +6,7 @@
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/json_text.h"
+#include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
@@ -14,11 +15,14 @@ using nlohmann::ordered_json;
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) { throw FileError(fmt::format("{}: {}", file, what)); }
 
+/// A value for a message. Only a plain one is written out: lists may lie in lists deeper than the stack of what writes them.
+std::string shown(const ordered_json& value) { return homolog::shown(value.is_structured() ? value.type_name() : value.dump()); }
+
 void check_format(const ordered_json& json, const char* format, const std::string& file) {
   if (json.at("format") != format)
-    fail(file, fmt::format("its format is {}, not \"{}\"; name the right file", json["format"].dump(), format));
+    fail(file, fmt::format("its format is {}, not \"{}\"; name the right file", shown(json["format"]), format));
   if (json.at("version") != 1)
-    fail(file, fmt::format("its version is {}, but only 1 is known; use a newer homolog", json["version"].dump()));
+    fail(file, fmt::format("its version is {}, but only 1 is known; use a newer homolog", shown(json["version"])));
 }
 
 std::vector<Vec3> read_vectors(const ordered_json& list, const std::string& file) {
@@ -34,7 +38,7 @@ std::vector<Vec3> read_vectors(const ordered_json& list, const std::string& file
 ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
   ThinPlateSpline warp;
   const std::string kernel = json.at("kernel");
-  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", kernel));
+  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", homolog::shown(kernel)));
   warp.kernel = kernel == "r" ? Kernel::r : Kernel::r3;
   warp.centres = read_vectors(json.at("centres"), file);
   warp.weights = read_vectors(json.at("weights"), file);
@@ -84,16 +88,21 @@ void add_parts(const ordered_json& json, const std::string& file, StoredFamily& 
 
 }  // namespace
 
-StoredFamily read_family(const std::filesystem::path& match_json) {
-  const std::string file = match_json.string();
+StoredFamily read_family(const NamedText& match_json, const std::optional<NamedText>& parts_json) {
   StoredFamily family =
-      read_json(read_file(match_json), file, "matches", [&](const ordered_json& json) { return read_matches(json, file); });
-  const std::filesystem::path parts = match_json.parent_path() / "parts.json";
-  if (std::filesystem::exists(parts)) {
-    const auto add = [&](const ordered_json& json) { add_parts(json, parts.string(), family); };
-    read_json(read_file(parts), parts.string(), "covered parts", add);
+      read_json(match_json.text, match_json.file, "matches", [&](const ordered_json& json) { return read_matches(json, match_json.file); });
+  if (parts_json) {
+    read_json(parts_json->text, parts_json->file, "covered parts",
+              [&](const ordered_json& json) { add_parts(json, parts_json->file, family); });
   }
   return family;
+}
+
+StoredFamily read_family(const std::filesystem::path& match_json) {
+  const NamedText match{read_file(match_json), match_json.string()};
+  const std::filesystem::path parts = match_json.parent_path() / "parts.json";
+  if (!std::filesystem::exists(parts)) return read_family(match, std::nullopt);
+  return read_family(match, NamedText{read_file(parts), parts.string()});
 }
 
 }  // namespace homolog

@@ -17,8 +17,16 @@ struct StoredFamily {
   bool parts_known = false;       ///< parts.json stands beside it: the matches carry samples
 };
 
+/// The bytes of a file, and its name for messages.
+struct NamedText {
+  std::string text, file;
+};
+
 /// Reads a match.json, and parts.json in the same folder if there is one. Throws FileError for what is no such file, or when the two do not
 /// belong together.
 StoredFamily read_family(const std::filesystem::path& match_json);
+
+/// The same for texts that are in memory.
+StoredFamily read_family(const NamedText& match_json, const std::optional<NamedText>& parts_json);
 
 }  // namespace homolog

@@ -70,7 +70,7 @@ MarkupPoint read_row(Text& text, const std::vector<std::string>& cells, const Co
     }
     std::string_view rest = cell;
     position[axis] = take_number(text, rest, "a coordinate");
-    if (!take_word(rest).empty()) fail(text, fmt::format("'{}' is not a number, but a coordinate must be one", cell));
+    if (!take_word(rest).empty()) fail(text, fmt::format("'{}' is not a number, but a coordinate must be one", shown(cell)));
   }
   if (missing == 0) point.position = position;
   if (missing == 1 || missing == 2) fail(text, "some coordinates are missing, but not all; a missing point has none");

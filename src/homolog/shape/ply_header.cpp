@@ -52,10 +52,10 @@ void check_counts(const Text& text, const PlyHeader& header) {
       const PlyType first = property.count_type == PlyType::none ? property.type : property.count_type;
       least += header.encoding == PlyEncoding::ascii ? 2 : bytes_of(first);
     }
-    if (least == 0 && element.count > 0) fail(text, fmt::format("element {} has no properties", element.name));
+    if (least == 0 && element.count > 0) fail(text, fmt::format("element {} has no properties", shown(element.name)));
     if (element.count > 0 && element.count > (left + 1) / least) {  // + 1: the last line of an ascii file may lack its end
       fail(text, fmt::format("{} times element {} is announced, but the file is too short for them; it is truncated or damaged",
-                             element.count, element.name));
+                             element.count, shown(element.name)));
     }
     left -= std::min(left, element.count * least);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading meshes: OFF, OBJ, PLY and STL by ourselves, strictly (their readers say why), every other format by assimp.
+// Reading meshes: OFF, OBJ, PLY and STL by ourselves, strictly (their readers say why), scenes by assimp behind a fence.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace homolog {
 
-/// Reads OFF, OBJ, PLY, STL, glTF and what else assimp knows. The vertices of OFF, OBJ and PLY keep the file's order and numbers; those of
-/// the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and lines are
-/// left out. Throws FileError (missing, empty, truncated, malformed, non-finite, absurdly large).
+/// Reads OFF, OBJ, PLY, STL, glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ and PLY keep the file's order and numbers;
+/// those of the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and
+/// lines are left out. Throws FileError (missing, empty, truncated, malformed, non-finite, absurdly large).
 Mesh read_mesh(const std::filesystem::path& path);
 
 }  // namespace homolog

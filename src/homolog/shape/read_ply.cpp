@@ -82,10 +82,11 @@ std::size_t read_length(Source& source, const PlyProperty& property) {
 void begin_element(Source& source, const PlyElement& element, std::size_t number) {
   if (source.encoding == PlyEncoding::ascii) {
     if (!next_data_line(source.text, source.line)) {
-      fail(source.text, fmt::format("the file ends after {} of {} times element {}; it is truncated", number, element.count, element.name));
+      fail(source.text,
+           fmt::format("the file ends after {} of {} times element {}; it is truncated", number, element.count, shown(element.name)));
     }
   } else {
-    source.place = fmt::format("{} {}", element.name, number);
+    source.place = fmt::format("{} {}", shown(element.name), number);
   }
 }
 

@@ -10,16 +10,12 @@
 #include "homolog/base/errors.h"
 
 namespace homolog {
-namespace {
 
-/// A word as it may stand in a message: short and printable.
-std::string shown(std::string_view word) {
+std::string shown(std::string_view word, std::size_t longest) {
   std::string safe;
-  for (const char c : word.substr(0, 30)) safe += c >= ' ' && c <= '~' ? c : '?';
+  for (const char c : word.substr(0, longest)) safe += c >= ' ' && c <= '~' ? c : '?';
   return safe;
 }
-
-}  // namespace
 
 void fail(const Text& text, const std::string& what) { throw FileError(fmt::format("{}, line {}: {}", text.file, text.line, what)); }
 

@@ -17,6 +17,9 @@ struct Text {
   std::size_t line = 0;
 };
 
+/// A word of a file as it may stand in a message: short and printable, whatever it holds.
+std::string shown(std::string_view word, std::size_t longest = 30);
+
 /// Throws FileError: "FILE, line N: WHAT".
 [[noreturn]] void fail(const Text& text, const std::string& what);
 

@@ -1,0 +1,232 @@
+# SPDX-License-Identifier: MIT
+# One small closed solid, a ball with an ear, in every mesh format that the program reads. Standard library only.
+import base64
+import io
+import json
+import struct
+import zipfile
+
+import bear
+
+HEADER_OF_3DS, BYTES_A_CHUNK = 0x4D4D, 6
+
+
+def solid():
+    """Vertices and triangles."""
+    vertices, faces = [], []
+    for centre, radius in (((0, 0, 0), 1), ((1, 0.75, 0.25), 0.5)):
+        more, corners = bear.octahedron_ball(centre, radius, 1)
+        faces += [tuple(len(vertices) + i for i in face) for face in corners]
+        vertices += more
+    return vertices, faces
+
+
+def lines(*some):
+    return ("\n".join(some) + "\n").encode()
+
+
+def obj(v, f):
+    return lines("mtllib none.mtl", "o solid", *("v %r %r %r" % x for x in v), "usemtl red", *("f %d %d %d" % (a + 1, b + 1, c + 1) for a, b, c in f))
+
+
+def stl_text(v, f):
+    facets = []
+    for face in f:
+        facets += ["facet normal 0 0 0", "outer loop", *("vertex %r %r %r" % v[i] for i in face), "endloop", "endfacet"]
+    return lines("solid it", *facets, "endsolid it")
+
+
+def stl_binary(v, f):
+    return bytes(80) + struct.pack("<I", len(f)) + b"".join(struct.pack("<12fH", 0, 0, 0, *(c for i in face for c in v[i]), 0) for face in f)
+
+
+def ply(v, f, form):
+    header = lines("ply", f"format {form} 1.0", f"element vertex {len(v)}", "property double x", "property double y", "property float z",
+                   f"element face {len(f)}", "property list uchar int vertex_indices", "end_header")  # fmt: skip
+    if form == "ascii":
+        return header + lines(*("%r %r %r" % x for x in v), *("3 %d %d %d" % t for t in f))
+    order = "<" if "little" in form else ">"
+    return header + b"".join(struct.pack(order + "ddf", *x) for x in v) + b"".join(struct.pack(order + "B3i", 3, *t) for t in f)
+
+
+def gltf_parts(v, f):
+    """The JSON and the buffer of a glTF scene with one moved node."""
+    positions = b"".join(struct.pack("<3f", *x) for x in v)
+    corners = b"".join(struct.pack("<3H", *t) for t in f)
+    low, high = [min(x[a] for x in v) for a in range(3)], [max(x[a] for x in v) for a in range(3)]
+    scene = {
+        "asset": {"version": "2.0"},
+        "scene": 0,
+        "scenes": [{"nodes": [0]}],
+        "nodes": [{"mesh": 0, "translation": [1, 2, 3]}],
+        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
+        "accessors": [
+            {"bufferView": 0, "componentType": 5126, "count": len(v), "type": "VEC3", "min": low, "max": high},
+            {"bufferView": 1, "componentType": 5123, "count": 3 * len(f), "type": "SCALAR"},
+        ],
+        "bufferViews": [
+            {"buffer": 0, "byteOffset": 0, "byteLength": len(positions)},
+            {"buffer": 0, "byteOffset": len(positions), "byteLength": len(corners)},
+        ],
+        "buffers": [{"byteLength": len(positions) + len(corners)}],
+    }
+    return scene, positions + corners
+
+
+def gltf(v, f, uri=None):
+    """With its buffer inside, or in the file `uri`."""
+    scene, data = gltf_parts(v, f)
+    scene["buffers"][0]["uri"] = uri or "data:application/octet-stream;base64," + base64.b64encode(data).decode()
+    return json.dumps(scene).encode()
+
+
+def glb(v, f):
+    scene, data = gltf_parts(v, f)
+    text = json.dumps(scene).encode()
+    chunks = b""
+    for kind, body, fill in ((b"JSON", text, b" "), (b"BIN\0", data, b"\0")):
+        body += fill * (-len(body) % 4)
+        chunks += struct.pack("<I", len(body)) + kind + body
+    return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def zipped(files):
+    """A zip archive with the same bytes every time."""
+    stream = io.BytesIO()
+    with zipfile.ZipFile(stream, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, text in files.items():
+            archive.writestr(zipfile.ZipInfo(name), text, zipfile.ZIP_DEFLATED)
+    return stream.getvalue()
+
+
+def model_of_3mf(v, f):
+    return (
+        '<?xml version="1.0"?><model unit="millimeter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>'
+        '<object id="1" type="model"><mesh><vertices>'
+        + "".join('<vertex x="%r" y="%r" z="%r"/>' % x for x in v)
+        + "</vertices><triangles>"
+        + "".join('<triangle v1="%d" v2="%d" v3="%d"/>' % t for t in f)
+        + '</triangles></mesh></object></resources><build><item objectid="1"/></build></model>'
+    )
+
+
+def threemf(model):
+    relations = (
+        '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship '
+        'Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
+    )
+    types = (
+        '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="model" '
+        'ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>'
+    )
+    return zipped({"[Content_Types].xml": types, "_rels/.rels": relations, "3D/3dmodel.model": model})
+
+
+def ac3d(v, f):
+    surfaces = []
+    for face in f:
+        surfaces += ["SURF 0x20", "mat 0", "refs 3", *(f"{i} 0 0" for i in face)]
+    return lines("AC3Db", 'MATERIAL "red" rgb 1 0 0 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 10 trans 0', "OBJECT world", "kids 1",
+                 "OBJECT poly", 'name "solid"', f"numvert {len(v)}", *("%r %r %r" % x for x in v), f"numsurf {len(f)}", *surfaces, "kids 0")  # fmt: skip
+
+
+def collada(v, f):
+    numbers, corners = " ".join(repr(c) for x in v for c in x), " ".join(str(i) for t in f for i in t)
+    return (
+        '<?xml version="1.0"?><COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><up_axis>Y_UP</up_axis>'
+        '</asset><library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="%d">%s</float_array><technique_common>'
+        '<accessor source="#a" count="%d" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/>'
+        '</accessor></technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices><triangles count="%d">'
+        '<input semantic="VERTEX" source="#v" offset="0"/><p>%s</p></triangles></mesh></geometry></library_geometries><library_visual_scenes>'
+        '<visual_scene id="s"><node id="n"><translate>1 2 3</translate><instance_geometry url="#g"/></node></visual_scene>'
+        '</library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>'
+        % (3 * len(v), numbers, len(v), len(f), corners)
+    ).encode()
+
+
+def fbx_corners(f):
+    """The last corner of a polygon is told by its complement."""
+    return [i for a, b, c in f for i in (a, b, ~c)]
+
+
+def fbx_text(v, f):
+    numbers, corners = [c for x in v for c in x], fbx_corners(f)
+    return lines("; FBX 7.4.0 project file", "FBXHeaderExtension:  {", "FBXVersion: 7400", "}", "Objects:  {",
+                 'Geometry: 1, "Geometry::solid", "Mesh" {', f"Vertices: *{len(numbers)} {{", "a: " + ",".join(map(repr, numbers)), "}",
+                 f"PolygonVertexIndex: *{len(corners)} {{", "a: " + ",".join(map(str, corners)), "}", "}",
+                 'Model: 2, "Model::solid", "Mesh" {', "Version: 232", "}", "}",
+                 "Connections:  {", 'C: "OO",2,0', 'C: "OO",1,2', "}")  # fmt: skip
+
+
+def int32(value):
+    return b"I" + struct.pack("<i", value)
+
+
+def fbx_property(value):
+    if isinstance(value, bytes):
+        return value
+    if isinstance(value, str):
+        return b"S" + struct.pack("<I", len(value)) + value.encode()
+    if isinstance(value, list):
+        kind, code = ("d", "d") if isinstance(value[0], float) else ("i", "i")
+        return kind.encode() + struct.pack("<III", len(value), 0, struct.calcsize(code) * len(value)) + struct.pack(f"<{len(value)}{code}", *value)
+    return b"L" + struct.pack("<q", value)
+
+
+def fbx_node(start, name, values, *children):
+    """A node that begins at byte `start`; children are (name, values, *children). It tells where it ends."""
+    properties = b"".join(map(fbx_property, values))
+    body = b""
+    head = 13 + len(name) + len(properties)
+    for child in children:
+        body += fbx_node(start + head + len(body), *child)
+    if children:
+        body += bytes(13)
+    return struct.pack("<IIIB", start + head + len(body), len(values), len(properties), len(name)) + name.encode() + properties + body
+
+
+def fbx_binary(v, f):
+    data = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", 7400)
+    numbers = [float(c) for x in v for c in x]
+    geometry = ("Geometry", [1, "solid\0\1Geometry", "Mesh"], ("Vertices", [numbers]), ("PolygonVertexIndex", [fbx_corners(f)]))
+    model = ("Model", [2, "solid\0\1Model", "Mesh"], ("Version", [int32(232)]))
+    for node in (
+        ("FBXHeaderExtension", [], ("FBXVersion", [int32(7400)])),
+        ("Objects", [], geometry, model),
+        ("Connections", [], ("C", ["OO", 2, 0]), ("C", ["OO", 1, 2])),
+    ):
+        data += fbx_node(len(data), *node)
+    return data + bytes(13) + bytes(160)
+
+
+def chunk_of_3ds(kind, body):
+    return struct.pack("<HI", kind, BYTES_A_CHUNK + len(body)) + body
+
+
+def threeds(v, f):
+    vertices = chunk_of_3ds(0x4110, struct.pack("<H", len(v)) + b"".join(struct.pack("<3f", *x) for x in v))
+    faces = chunk_of_3ds(0x4120, struct.pack("<H", len(f)) + b"".join(struct.pack("<4H", *t, 7) for t in f))
+    mesh = chunk_of_3ds(0x4000, b"solid\0" + chunk_of_3ds(0x4100, vertices + faces))
+    return chunk_of_3ds(HEADER_OF_3DS, chunk_of_3ds(0x0002, struct.pack("<I", 3)) + chunk_of_3ds(0x3D3D, mesh))
+
+
+def all_files():
+    """Contents by file name; some names stand for another way to write the same format."""
+    v, f = solid()
+    return {
+        "solid.off": bear.off(v, f).encode(),
+        "solid.obj": obj(v, f),
+        "text.stl": stl_text(v, f),
+        "binary.stl": stl_binary(v, f),
+        "text.ply": ply(v, f, "ascii"),
+        "little.ply": ply(v, f, "binary_little_endian"),
+        "big.ply": ply(v, f, "binary_big_endian"),
+        "solid.gltf": gltf(v, f),
+        "solid.glb": glb(v, f),
+        "solid.3mf": threemf(model_of_3mf(v, f)),
+        "solid.ac": ac3d(v, f),
+        "solid.dae": collada(v, f),
+        "text.fbx": fbx_text(v, f),
+        "binary.fbx": fbx_binary(v, f),
+        "solid.3ds": threeds(v, f),
+    }

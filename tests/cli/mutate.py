@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+# Damaged mesh files through the whole program: every format of mesh_files.py, changed at random but the same for the same seed. A run must
+# end with 0, 1 or 3, say no more than sentences, and stay within limits of memory and processor time. What breaks that is kept.
+#   python3 tests/cli/mutate.py build/release/cli/homolog [--files N] [--seed S] [--only NAME] [--keep FOLDER]
+# Standard library only.
+import argparse
+import collections
+import os
+import random
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+
+import mesh_files
+
+MEMORY, SECONDS = 6 << 30, 10
+LIES = [b"-1", b"0", b"1e300", b"-1e-300", b"nan", b"inf", b"4294967295", b"99999999999999999999", b"\xff\xff\xff\xff", b"\xff\xff\xff\x7f",
+        b"\0\0\0\x80", b"\0", b"\n", b'"', b"../../x", b"\0\0\xc0\x7f", b"65536", b"[[[[", b"</"]  # fmt: skip
+
+
+def damaged(content, dice):
+    content = bytearray(content)
+    for _ in range(dice.choice((1, 1, 2, 4, 16))):
+        at = dice.randrange(len(content) + 1)
+        end = min(len(content), at + dice.randrange(1, 17))
+        kind = dice.randrange(7)
+        if kind == 0 and at < len(content):
+            content[at] ^= 1 << dice.randrange(8)
+        elif kind == 1:
+            del content[at:end]
+        elif kind == 2:
+            content[at:at] = content[at:end] * dice.choice((1, 2, 100))
+        elif kind == 3:
+            lie = dice.choice(LIES)
+            content[at : at + len(lie)] = lie
+        elif kind == 4 and (numbers := list(re.finditer(rb"-?\d+(\.\d+)?", bytes(content)))):
+            number = dice.choice(numbers)
+            content[number.start() : number.end()] = dice.choice(LIES)
+        elif kind == 5:
+            content[at:end] = bytes(dice.randrange(256) for _ in range(end - at))
+        elif dice.randrange(4) == 0:
+            del content[at:]
+    return bytes(content)
+
+
+def damaged_inside(name, content, dice):
+    """An archive is damaged in its one mesh half of the time: else little but its check sums would be tried."""
+    if name.endswith(".3mf") and dice.randrange(2):
+        return mesh_files.threemf(damaged(mesh_files.model_of_3mf(*mesh_files.solid()).encode(), dice))
+    return damaged(content, dice)
+
+
+def limit():
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    resource.setrlimit(resource.RLIMIT_CPU, (SECONDS, SECONDS))
+    os.nice(5)
+
+
+def complaint(program, path):
+    """What is wrong with how the program took the file; empty if nothing."""
+    words = [program, "points", path, "--resolution", "32", "--threads", "1"]
+    try:
+        done = subprocess.run(words, capture_output=True, preexec_fn=limit, timeout=60 * SECONDS)
+    except subprocess.TimeoutExpired:
+        return "hangs", None
+    said = done.stderr.decode(errors="replace")
+    if done.returncode not in (0, 1, 3):
+        return f"ends with {done.returncode}", done.returncode
+    if not all(re.fullmatch(r"homolog: [^\x00-\x1f\x7f]+", line) for line in said.splitlines()) or "mistake of the program" in said:
+        return f"says {said[:200]!r}", done.returncode
+    kind = re.sub(r"^homolog: [^:]*?: ", "", said.splitlines()[-1])[:40] if said else ""
+    return "", "crash, fenced" if "crashed" in kind or "crashed" in said else "limit, fenced" if "takes more than" in said else done.returncode
+
+
+def main():
+    parser = argparse.ArgumentParser(description="Damaged mesh files through the whole program.")
+    parser.add_argument("program")
+    parser.add_argument("--files", type=int, default=200, help="per format")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--only", help="one file of mesh_files.py")
+    parser.add_argument("--keep", default=None, help="folder for the files that break something")
+    options = parser.parse_args()
+    broken = 0
+    print(f"{'file':12} {'runs':>6} {'read':>6} {'refused':>8} {'fenced':>7} {'broken':>7}")
+    with tempfile.TemporaryDirectory() as folder:
+        for name, content in mesh_files.all_files().items():
+            if options.only not in (None, name):
+                continue
+            dice, ends, bad = random.Random(f"{options.seed} {name}"), collections.Counter(), 0
+            for number in range(options.files):
+                path = os.path.join(folder, name)
+                changed = damaged_inside(name, content, dice) if number else content
+                with open(path, "wb") as file:
+                    file.write(changed)
+                wrong, end = complaint(os.path.abspath(options.program), path)
+                ends[end] += 1
+                if not number and end != 0:
+                    wrong = wrong or "is not read although it is not damaged"
+                if wrong:
+                    bad += 1
+                    print(f"{name}, seed {options.seed}, file {number}: {wrong}", flush=True)
+                    if options.keep:
+                        os.makedirs(options.keep, exist_ok=True)
+                        with open(os.path.join(options.keep, f"{options.seed}-{number}-{name}"), "wb") as file:
+                            file.write(changed)
+            fenced = ends["crash, fenced"] + ends["limit, fenced"]
+            print(f"{name:12} {options.files:6} {ends[0] + ends[1]:6} {ends[3]:8} {fenced:7} {bad:7}", flush=True)
+            broken += bad
+    return 1 if broken else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

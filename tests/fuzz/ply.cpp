@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+#include <array>
+
+#include "fuzz/target.h"
+#include "homolog/shape/read_ply.h"
+
+namespace homolog::fuzz {
+namespace {
+
+const std::string header =
+    "element vertex 3\nproperty char x\nproperty short y\nproperty uint z\nproperty uchar red\nelement face 1\n"
+    "property list uchar int vertex_indices\nelement edge 1\nproperty list ushort double weights\nend_header\n";
+
+std::string number(std::size_t size, unsigned value, bool little) {
+  std::string bytes(size, '\0');
+  bytes[little ? 0 : size - 1] = static_cast<char>(value);
+  return bytes;
+}
+
+std::string binary(bool little) {
+  std::string bytes = std::string("ply\nformat binary_") + (little ? "little" : "big") + "_endian 1.0\ncomment small\n" + header;
+  const unsigned vertices[3][3] = {{0, 0, 0}, {1, 0, 0}, {0, 1, 7}};
+  for (const auto& [x, y, z] : vertices) {
+    bytes += number(1, x, little) + number(2, y, little) + number(4, z, little) + number(1, 255, little);
+  }
+  bytes += number(1, 3, little) + number(4, 0, little) + number(4, 1, little) + number(4, 2, little);
+  return bytes + number(2, 1, little) + std::string(8, '\x40');
+}
+
+}  // namespace
+
+Target ply() {
+  return {"ply",
+          {"ply\nformat ascii 1.0\n" + header + "0 0 0 255\n1 0 0 255\n0 1 7 nan\n3 0 1 2\n2 .5 1e300\n", binary(true), binary(false),
+           "ply\nformat binary_big_endian 1.0\nelement vertex 1\nproperty float32 x\nproperty float64 y\nproperty list int8 uint8 z\n"
+           "end_header\n",
+           "ply\nformat ascii 1.0\nelement \x1b[2J 1\nend_header\n",
+           "ply\nformat ascii 1.0\nelement vertex 4000000000\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 3\n"},
+          [](const std::string& bytes) { run_mesh_reader(read_ply, bytes); }};
+}
+
+}  // namespace homolog::fuzz
