@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "result_folder.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <array>
 #include <csignal>
@@ -30,6 +33,19 @@ class Uninterrupted {
  private:
   static constexpr std::array kSignals{SIGINT, SIGTERM, SIGHUP};
   std::array<void (*)(int), kSignals.size()> before_{};
+};
+
+/// While it lives, no other process of ours writes into the folder: of two with the same --out one comes after the other, whole. A file
+/// system that knows no locks leaves it to chance.
+class Locked {
+ public:
+  explicit Locked(const fs::path& folder) : folder_(open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) { flock(folder_, LOCK_EX); }
+  ~Locked() { close(folder_); }
+  Locked(const Locked&) = delete;
+  Locked& operator=(const Locked&) = delete;
+
+ private:
+  int folder_;
 };
 
 /// Makes the folder and those above it; removes the ones it made, innermost first, unless it is told to keep them.
@@ -79,6 +95,7 @@ void ResultFolder::write(const std::vector<std::pair<std::string, std::string>>&
   for (const auto& [name, contents] : files) outputs.push_back({path_ / name, contents});
   const Uninterrupted uninterrupted;
   MadeFolders made(path_);
+  const Locked locked(path_);
   write_files(outputs);
   made.keep();
 }

@@ -3,6 +3,7 @@
 #include "homolog/outputs/write_file.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <chrono>
@@ -34,9 +35,9 @@ class Staged {
   }
 
   void add(const fs::path& path, std::string_view contents) {
-    // The clock keeps apart two programs that write into one folder.
+    // Process and clock keep apart two programs that write into one folder.
     const auto stamp = std::chrono::steady_clock::now().time_since_epoch().count();
-    const fs::path temporary = path.parent_path() / fmt::format(".{}.{:x}.partial", path.filename().string(), stamp);
+    const fs::path temporary = path.parent_path() / fmt::format(".{}.{}.{:x}.partial", path.filename().string(), getpid(), stamp);
     if (std::error_code ignored; fs::is_directory(path, ignored)) fail(path, "a folder has this name");
     errno = 0;
     std::ofstream stream(temporary, std::ios::binary | std::ios::trunc);

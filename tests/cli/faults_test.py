@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+# What goes wrong around the program: files that lie, disks that are full, folders that are not writable, processes that are killed.
+import json
+import os
+import shutil
+import signal
+import struct
+import subprocess
+import sys
+import threading
+import unittest
+
+import bear
+import mesh_files
+from program import COARSE, PROGRAM, Program, main
+
+NOBODY = 65534
+
+
+class LyingFiles(Program):
+    def write(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+
+    def refuse(self, name, content, part=""):
+        self.write(name, content)
+        with self.subTest(name):
+            self.expect_message(3, part, "points", name, *COARSE)
+
+    def test_counts_sizes_and_offsets(self):
+        v, f = mesh_files.solid()
+        announce = "the file is too short"
+        self.refuse("count.off", bear.off(v, f).encode().replace(b"36 64 0", b"36 4000000000 0"), announce)
+        self.refuse("count.stl", mesh_files.stl_binary(v, f)[:80] + b"\xff\xff\xff\xff" + mesh_files.stl_binary(v, f)[84:], announce)
+        for form in ("ascii", "binary_little_endian", "binary_big_endian"):
+            self.refuse("count.ply", mesh_files.ply(v, f, form).replace(b"vertex 36", b"vertex 4000000000"), announce)
+        self.refuse("list.ply", mesh_files.ply(v, f, "binary_little_endian")[:-13] + b"\xff" + bytes(12), "does not fit into the file")
+        self.refuse("corner.obj", mesh_files.obj(v, f) + b"f 1 2 4000000000\n", "does not exist")
+        for old, new in ((b'"byteLength": 816', b'"byteLength": 4000000000'), (b'"byteOffset": 0', b'"byteOffset": 4000000000'),
+                         (b'"count": 36', b'"count": 4000000000'), (b'"count": 36', b'"count": -1'),
+                         (b'"bufferView": 1', b'"bufferView": 77'), (b'"mesh": 0', b'"mesh": 77')):  # fmt: skip
+            text = mesh_files.gltf(v, f)
+            self.assertIn(old, text)
+            self.refuse("lie.gltf", text.replace(old, new, 1))
+        glb = mesh_files.glb(v, f)
+        self.refuse("length.glb", glb[:12] + struct.pack("<I", 0xFFFFFFFF) + glb[16:])
+        fbx = mesh_files.fbx_binary(v, f)
+        self.refuse("offset.fbx", fbx[:27] + struct.pack("<I", 0xFFFFFFF0) + fbx[31:])
+
+    def test_a_node_that_is_its_own_child(self):
+        v, f = mesh_files.solid()
+        self.refuse("circle.gltf", mesh_files.gltf(v, f).replace(b'"mesh": 0, "tr', b'"mesh": 0, "children": [0], "tr'))
+
+    def test_decompression_bomb(self):
+        def bomb(times):
+            return mesh_files.threemf('<?xml version="1.0"?><model><resources>' + " " * times)
+
+        self.refuse("bomb.3mf", bomb(200 << 20))
+
+    def test_numbers_that_are_no_numbers_or_huge(self):
+        v, f = mesh_files.solid()
+        for bad in (b"nan", b"-inf", b"1e999"):
+            self.refuse("number.off", bear.off(v, f).encode().replace(b"1.5 0.75 0.25", bad + b" 0 0"), "finite number")
+        self.refuse("number.glb", mesh_files.glb(v, f).replace(struct.pack("<3f", 1.5, 0.75, 0.25), struct.pack("<3f", 1.5, float("nan"), 0)), "")
+        self.refuse("far.off", bear.off([*v[:-1], (1.7e308, 0, 0)], f).encode(), "")
+        self.refuse("flat.off", bear.off([(x * 1e-300, 1e300, z) for x, _, z in v], f).encode(), "")
+
+    def test_scale_does_not_matter_from_tiny_to_huge(self):
+        v, f = mesh_files.solid()
+        counts = set()
+        for power in (-140, -60, 0, 60, 140):  # by powers of two nothing is rounded
+            self.write("scaled.off", bear.off([tuple(c * 2.0**power for c in x) for x in v], f).encode())
+            done = self.run_it("points", "scaled.off", "--json", *COARSE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            counts.add(len(json.loads(done.stdout)["shape"]["points"]))
+        self.assertEqual(len(counts), 1, counts)
+        for power in (-300, 300):
+            self.write("scaled.off", bear.off([tuple(c * 10.0**power for c in x) for x in v], f).encode())
+            done = self.run_it("match", "scaled.off", "bear.off", "--json", *COARSE)
+            self.assertIn(done.returncode, (0, 1, 3))
+            self.assertRegex(done.stderr, r"\A(homolog: [^\n]+\n)*\Z")
+            self.assertNotIn("mistake of the program", done.stderr)
+            self.assertNotRegex(done.stdout, r"(?i)\b(nan|inf|null)\b")
+
+    def test_materials_are_not_opened(self):
+        os.mkfifo(self.path("none.mtl"))  # whoever opens it waits for ever
+        self.write("solid.obj", mesh_files.obj(*mesh_files.solid()))
+        self.assertEqual(self.run_it("points", "solid.obj", *COARSE).returncode, 0)
+
+    def test_names_do_not_become_script(self):
+        names = ["<img src=x onerror=alert(1)>.off", "<script>alert(1)<!--.off", "\"'&lt;\\u003c.off", "bad\udcff\x1b[2J\n.off"]
+        plain = self.report("bear.off")
+        for name in names:
+            with self.subTest(repr(name)):
+                shutil.copy(self.path("bear.off"), self.path(name))
+                page = self.report(name)
+                for mark in ("<script", "<img", "<!--", "</", "onerror="):
+                    self.assertEqual(page.count(mark), plain.count(mark) + (mark == "onerror=" and mark in name), mark)
+
+    def report(self, name):
+        done = subprocess.run([PROGRAM, "points", name, "--out", "page", *COARSE], cwd=self.folder.name, capture_output=True, timeout=300)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return self.read("page", "report.html")
+
+
+class Surroundings(Program):
+    def on_a_disk_of(self, kilobytes, script):
+        """Runs a shell in which small/ is a file system of that size: no root is needed, only namespaces."""
+        with open(self.path("script"), "w") as file:
+            file.write(f"mount -t tmpfs -o size={kilobytes}k none small || exit 99\n{script}\n")
+        os.makedirs(self.path("small"))
+        words = ["unshare", "--user", "--map-root-user", "--mount", "sh", "script"]
+        done = subprocess.run(words, cwd=self.folder.name, capture_output=True, text=True, timeout=300)
+        if done.returncode == 99 or "unshare" in done.stderr:
+            print(f"SKIPPED, a full disk was not tried: no user may mount one here: {done.stderr}", file=sys.stderr)
+            self.skipTest("no user may mount a file system here")
+        return done
+
+    def test_full_disk(self):
+        command = f"'{PROGRAM}' points bear.off --out small/out {' '.join(COARSE)}"
+        done = self.on_a_disk_of(64, f"{command}; echo $?; find small -mindepth 1")
+        self.assertRegex(done.stderr, r"\Ahomolog: cannot write '[^\n]+': No space left on device\n\Z")
+        self.assertEqual(done.stdout, "4\n")
+
+    def test_read_only_folder(self):
+        os.mkdir(self.path("locked"))
+        os.chmod(self.path("locked"), 0o555)
+        os.chmod(self.folder.name, 0o755)
+        user = {"user": NOBODY} if os.geteuid() == 0 else {}
+        done = self.run_it("points", "bear.off", "--out", "locked/out", **user)
+        self.assertEqual(done.returncode, 4, done.stderr)
+        self.assertRegex(done.stderr, r"\Ahomolog: cannot make the folder 'locked/out': Permission denied\n\Z")
+        done = self.run_it("points", "bear.off", "--out", "locked", **user)
+        self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked'\n"))
+
+    def test_whenever_it_is_killed_results_are_whole(self):
+        words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
+        whole = None
+        for milliseconds in (0, 5, 50, 100, 150, 200, 300, 400, 600, 800, 1200):
+            with subprocess.Popen(words, cwd=self.folder.name, stdout=subprocess.DEVNULL) as running:
+                threading.Timer(milliseconds / 1000, running.kill).start()
+            if running.returncode == 0:
+                break
+            for name in (n for n in (os.listdir(self.path("out")) if os.path.isdir(self.path("out")) else []) if not n.endswith(".partial")):
+                whole = whole or self.whole_results()
+                self.assertEqual(self.read("out", name), whole[name], name)
+
+    def whole_results(self):
+        self.assertEqual(self.run_it("points", "bear.off", "--out", "whole", *COARSE).returncode, 0)
+        return {name: self.read("whole", name) for name in os.listdir(self.path("whole"))}
+
+    def test_processes_with_one_folder_leave_the_results_of_one(self):
+        shapes = ("bear.off", "bear_bis.off")
+        alone = {}
+        for name in shapes:
+            self.assertEqual(self.run_it("points", name, "--out", name + ".out", *COARSE).returncode, 0)
+            alone[name] = {file: self.read(name + ".out", file) for file in os.listdir(self.path(name + ".out"))}
+        for _ in range(3):
+            running = [subprocess.Popen([PROGRAM, "points", name, "--out", "out", *COARSE], cwd=self.folder.name, stdout=subprocess.DEVNULL)
+                       for name in shapes * 2]  # fmt: skip
+            self.assertEqual([process.wait() for process in running], [0] * 4)
+            together = {file: self.read("out", file) for file in os.listdir(self.path("out"))}
+            self.assertIn(together, alone.values())
+
+    def test_a_reader_that_leaves_ends_the_program_in_silence(self):
+        with open(self.path("errors"), "w") as errors:
+            running = subprocess.Popen([PROGRAM, "points", "bear.off", *COARSE], cwd=self.folder.name, stdout=subprocess.PIPE, stderr=errors)
+            running.stdout.close()
+            self.assertEqual(running.wait(), -signal.SIGPIPE)
+        self.assertEqual(self.read("errors"), "")
+        done = subprocess.run(f"'{PROGRAM}' params --json | head -1", shell=True, cwd=self.folder.name, capture_output=True, text=True)
+        self.assertEqual((done.stdout, done.stderr), ("[\n", ""))
+
+
+if __name__ == "__main__":
+    main()
