@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What goes wrong around the program: files that lie, disks that are full, folders that are not writable, processes that are killed.
+import fcntl
 import json
 import os
 import shutil
@@ -161,6 +162,17 @@ class Surroundings(Program):
             self.assertEqual([process.wait() for process in running], [0] * 4)
             together = {file: self.read("out", file) for file in os.listdir(self.path("out"))}
             self.assertIn(together, alone.values())
+
+    def test_who_fills_a_folder_waits_for_another_one(self):
+        os.mkdir(self.path("out"))
+        folder = os.open(self.path("out"), os.O_RDONLY)
+        fcntl.flock(folder, fcntl.LOCK_EX)
+        waiting = subprocess.Popen([PROGRAM, "points", "bear.off", "--out", "out", *COARSE], cwd=self.folder.name, stdout=subprocess.DEVNULL)
+        self.assertEqual(self.run_it("points", "bear.off", "--out", "elsewhere", *COARSE).returncode, 0)  # as long as it would take
+        self.assertEqual((waiting.poll(), os.listdir(self.path("out"))), (None, []))
+        os.close(folder)
+        self.assertEqual(waiting.wait(), 0)
+        self.assertEqual(set(os.listdir(self.path("out"))), set(os.listdir(self.path("elsewhere"))))
 
     def test_a_reader_that_leaves_ends_the_program_in_silence(self):
         with open(self.path("errors"), "w") as errors:
