@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
-#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package
+#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python
 #   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -34,12 +34,22 @@ configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=O
 # shellcheck disable=SC2317
 sanitized_unit_tests() { configure_and_build dev --target unit_tests && build/dev/tests/unit_tests --gtest_brief=1; }
 
-command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
+# From the same compiler and nanobind's same place each time, so that ccache has the library from the build before.
+# shellcheck disable=SC2317
+python_package() {
+  local pip=(build/venv/bin/pip -q --disable-pip-version-check)
+  python3 -m venv build/venv && "${pip[@]}" install scikit-build-core nanobind &&
+    CXX=${CXX:-c++} "${pip[@]}" install --no-build-isolation --check-build-dependencies '.[test]' &&
+    build/venv/bin/python -m pytest -q -p no:cacheprovider
+}
+
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 
 step install scripts/install_dependencies.sh || finish
+command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 step build configure_and_build release || finish
 step tests ctest --preset release || true
+step python python_package || true
 if [[ $all == yes ]]; then
   step sanitize sanitized_unit_tests || true
   step checks scripts/check.sh || true

@@ -49,5 +49,15 @@ TEST(Parallel, OneThreadIsTheCallersOwn) {
   EXPECT_EQ(seen, std::set{std::this_thread::get_id()});
 }
 
+TEST(Parallel, ACheckpointStopsTheWorkOfItsThreadWhileItLives) {
+  const auto loop = [] { parallel_for(1000, [](std::size_t) {}); };
+  {
+    const Checkpoint stop([] { throw std::runtime_error("enough"); });
+    EXPECT_THROW(loop(), std::runtime_error);
+    std::thread(loop).join();
+  }
+  loop();
+}
+
 }  // namespace
 }  // namespace homolog

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// The library's lists as arrays of numbers, which nanobind makes numpy's, and back.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <vector>
+
+#include "homolog/shape/mesh.h"
+
+namespace homolog::python {
+
+using Places = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+using Triangles = Eigen::Matrix<std::uint32_t, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+/// One row for each item: what `place` says of it.
+template <class Items, class Place>
+Places places_of(const Items& items, Place place) {
+  Places rows(static_cast<Eigen::Index>(items.size()), 3);
+  for (std::size_t i = 0; i < items.size(); ++i) rows.row(static_cast<Eigen::Index>(i)) = place(items[i]).transpose();
+  return rows;
+}
+
+inline Places places_of(const std::vector<Vec3>& places) {
+  return places_of(places, [](const Vec3& v) { return v; });
+}
+
+/// One value for each item: what `value` says of it.
+template <class Items, class Value>
+auto values_of(const Items& items, Value value) {
+  Eigen::Matrix<decltype(value(items[0])), Eigen::Dynamic, 1> values(static_cast<Eigen::Index>(items.size()));
+  for (std::size_t i = 0; i < items.size(); ++i) values[static_cast<Eigen::Index>(i)] = value(items[i]);
+  return values;
+}
+
+inline std::vector<Vec3> vectors_of(const Places& rows) {
+  std::vector<Vec3> vectors(static_cast<std::size_t>(rows.rows()));
+  for (std::size_t i = 0; i < vectors.size(); ++i) vectors[i] = rows.row(static_cast<Eigen::Index>(i)).transpose();
+  return vectors;
+}
+
+}  // namespace homolog::python

@@ -1,0 +1,184 @@
+// SPDX-License-Identifier: MIT
+// The module homolog._core: the library's calls on numpy arrays. python/homolog makes them pythonic.
+#include <nanobind/eigen/dense.h>
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <map>
+
+#include "arrays.h"
+#include "homolog/shape/read_mesh.h"
+#include "interruptible.h"
+#include "results.h"
+
+namespace nb = nanobind;
+
+namespace homolog::python {
+namespace {
+
+using Corners = Eigen::Matrix<double, 2, 3, Eigen::RowMajor>;
+using Given = std::map<std::string, std::string>;  // parameters by name, as text
+
+// A shape keeps what it was described with, so that a match under other parameters is noticed.
+struct Described {
+  Mesh mesh;
+  Params params;
+  Shape shape;
+
+  MeshedShape meshed() const { return {mesh, shape}; }
+};
+
+int threads_of(const std::string& text) {
+  constexpr int most = 1024;
+  const bool number = !text.empty() && text.size() <= 4 && text.find_first_not_of("0123456789") == text.npos;
+  if (!number || std::stoi(text) > most)
+    throw ParamError("threads is '" + text + "', but must be a whole number from 0 (all cores) to " + std::to_string(most));
+  return std::stoi(text);
+}
+
+Params params_of(const Given& given) {
+  const auto preset = given.find("preset");
+  const std::string base = preset == given.end() ? "default" : preset->second;
+  if (base != "default" && base != "paper") throw ParamError("the preset '" + base + "' is unknown; there are default and paper");
+  Params params = base == "paper" ? paper_preset() : Params{};
+  for (const auto& [name, value] : given) {
+    if (name == "threads") params.threads = threads_of(value);
+    if (name != "preset" && name != "threads") set_parameter(params, name, value);
+  }
+  return params;
+}
+
+// Only what describe_shape looks at.
+Params describing(const Params& params) {
+  Params only;
+  only.voxel = params.voxel;
+  only.salient = params.salient;
+  only.descriptor = params.descriptor;
+  return only;
+}
+
+void check_described_with(const Described& described, const Params& params) {
+  for (const ParameterInfo& info : parameter_table()) {
+    const auto had = get_parameter(describing(described.params), info.name), wanted = get_parameter(describing(params), info.name);
+    if (had != wanted)
+      throw ParamError("the shape '" + described.shape.name + "' was described with " + info.name + " " + to_text(had) +
+                       ", but this call asks for " + to_text(wanted) + "; describe it again");
+  }
+}
+
+std::pair<Places, Triangles> read(const std::filesystem::path& path) {
+  Mesh mesh;
+  {
+    Interruptible working;
+    mesh = read_mesh(path);
+  }
+  Triangles triangles(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (int c = 0; c < 3; ++c) triangles(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][static_cast<std::size_t>(c)];
+  }
+  return {places_of(mesh.vertices), triangles};
+}
+
+Described describe(const Places& vertices, const Triangles& triangles, const std::string& name, const std::optional<Corners>& part,
+                   const Given& given) {
+  Interruptible working;
+  Described described;
+  described.params = params_of(given);
+  described.mesh.vertices = vectors_of(vertices);
+  auto& faces = described.mesh.triangles;
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i) faces.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
+  const auto box = part ? std::optional(Box{part->row(0), part->row(1)}) : std::nullopt;
+  described.shape = describe_shape(described.mesh, described.params, box);
+  described.shape.name = name;
+  return described;
+}
+
+// What `find` finds of the model in the data, with what users take home of it.
+template <class Find>
+nb::tuple found(const Described& model, const Described& data, const Given& given, Find find) {
+  Family family;
+  std::vector<MatchParts> parts;
+  std::vector<MatchMap> maps;
+  {
+    Interruptible working;
+    const Params params = params_of(given);
+    check_described_with(model, params);
+    check_described_with(data, params);
+    family = find(params);
+    const ThreadLimit limit(params.threads);
+    parts = covered_parts(model.meshed(), data.meshed(), family.matches);
+    maps = match_maps(family.matches, model.shape, data.shape, parts);
+  }
+  return family_fields(family, parts, maps);
+}
+
+nb::tuple match(const Described& model, const Described& data, const Given& given) {
+  return found(model, data, given, [&](const Params& params) { return match_shapes(model.shape, data.shape, params); });
+}
+
+nb::tuple symmetry(const Described& shape, const Given& given) {
+  return found(shape, shape, given, [&](const Params& params) { return find_symmetries(shape.shape, params); });
+}
+
+Places warp(const std::string& kernel, const Places& centres, const Places& weights, const Eigen::Matrix<double, 3, 4>& affine,
+            const Places& places) {
+  Interruptible working;
+  ThinPlateSpline spline;
+  spline.kernel = kernel == "r3" ? Kernel::r3 : Kernel::r;
+  spline.centres = vectors_of(centres);
+  spline.weights = vectors_of(weights);
+  spline.affine = affine;
+  std::vector<Vec3> mapped = vectors_of(places);
+  parallel_for(mapped.size(), [&](std::size_t i) { mapped[i] = spline(mapped[i]); });
+  return places_of(mapped);
+}
+
+nb::list parameters() {
+  nb::list rows;
+  for (const ParameterInfo& info : parameter_table()) {
+    nb::dict row;
+    row["name"] = info.name;
+    row["sentence"] = info.sentence;
+    row["unit"] = info.unit;
+    row["default"] = std::visit([](const auto& value) { return nb::cast(value); }, get_parameter(Params{}, info.name));
+    row["range"] = info.choices.empty() ? nb::cast(std::pair(info.min, info.max)) : nb::cast(info.choices);
+    rows.append(row);
+  }
+  return rows;
+}
+
+void translate(const std::exception_ptr& thrown, void*) {
+  try {
+    std::rethrow_exception(thrown);
+  } catch (const FileError& error) {
+    PyErr_SetString(PyExc_OSError, error.what());
+  } catch (const Error& error) {
+    PyErr_SetString(PyExc_ValueError, error.what());
+  }
+}
+
+}  // namespace
+}  // namespace homolog::python
+
+NB_MODULE(_core, module) {
+  namespace py = homolog::python;
+  module.attr("__version__") = HOMOLOG_VERSION;
+  nb::register_exception_translator(py::translate);
+  nb::class_<py::Described>(module, "Described")
+      .def_prop_ro("diagonal", [](const py::Described& d) { return d.shape.diagonal; })
+      .def_prop_ro("guessed", [](const py::Described& d) { return d.shape.guessed; })
+      .def_prop_ro("points", [](const py::Described& d) { return py::points_fields(d.shape.points); });
+  py::bind_match_map(module);
+  module.def("read", &py::read, nb::arg("path"));
+  module.def("describe", &py::describe, nb::arg("vertices"), nb::arg("triangles"), nb::arg("name"), nb::arg("part").none(),
+             nb::arg("parameters"));
+  module.def("match", &py::match, nb::arg("model"), nb::arg("data"), nb::arg("parameters"));
+  module.def("symmetry", &py::symmetry, nb::arg("shape"), nb::arg("parameters"));
+  module.def("warp", &py::warp, nb::arg("kernel"), nb::arg("centres"), nb::arg("weights"), nb::arg("affine"), nb::arg("places"));
+  module.def("parameters", &py::parameters);
+}

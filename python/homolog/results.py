@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""What calls return: plain numpy arrays with names, in the coordinates and units of the shapes. All of it pickles."""
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from homolog import _core
+
+if TYPE_CHECKING:
+    from homolog.shapes import Shape
+
+
+def _places(points: Any) -> np.ndarray:
+    places = np.asarray(points, np.float64)
+    if places.ndim not in (1, 2) or places.shape[-1] != 3:
+        raise ValueError(f"the points have the shape {places.shape}, but must have (n, 3) or (3,)")
+    return places
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Points:
+    """The n salient points of a shape, largest radius first."""
+
+    position: np.ndarray  #: (n, 3)
+    radius: np.ndarray  #: (n,), of the ball that would answer at this scale
+    direction: np.ndarray  #: (n, 3), unit length; NaN where a point has none
+    response: np.ndarray  #: (n,), share of a ball's: ball 1, cylinder .79, plate .52
+
+    def __len__(self) -> int:
+        return len(self.position)
+
+    def __repr__(self) -> str:
+        return f"<homolog.Points: {len(self)} salient points>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class ThinPlateSpline:
+    """f(x) = affine [x; 1] + sum_k weights_k phi(|x - centres_k|), with phi(r) = r or r^3; called on points it maps them."""
+
+    kernel: str  #: "r" or "r3"
+    centres: np.ndarray  #: (k, 3)
+    weights: np.ndarray  #: (k, 3)
+    affine: np.ndarray  #: (3, 4)
+
+    def __call__(self, points: Any) -> np.ndarray:
+        """Maps points (n, 3), or one (3,), to as many. Throws ValueError for another shape."""
+        places = _places(points)
+        mapped = _core.warp(self.kernel, self.centres, self.weights, self.affine, np.atleast_2d(places))
+        return mapped.reshape(places.shape)
+
+    def __repr__(self) -> str:
+        return f"<homolog.ThinPlateSpline: {len(self.centres)} centres>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Carried:
+    """Points carried to the other shape, each with how far it can be trusted."""
+
+    position: np.ndarray  #: (n, 3), where the map puts them
+    there: np.ndarray  #: (n,) of bool; false: outside the covered part, thus missing on the other shape, whatever `position` says
+    expected_error: np.ndarray  #: (n,), true errors are larger as often as smaller if the match is right; unit of the shape carried to
+    coverage: np.ndarray  #: (n,), how surely each lies in the covered part, 0 to 1
+
+    def __repr__(self) -> str:
+        return f"<homolog.Carried: {np.count_nonzero(self.there)} of {self.there.size} points there>"
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Match:
+    """One place where the model, or a part of it, occurs in the data: k pairs of points and the map between the shapes."""
+
+    pairs: np.ndarray  #: (k, 2), places of the paired points in Family.model and Family.data
+    pair_confidence: np.ndarray  #: (k,), 0 to 1
+    model_points: np.ndarray  #: (k, 3)
+    data_points: np.ndarray  #: (k, 3), in the order of model_points
+    data_from_model: ThinPlateSpline  #: maps places of the model to the data
+    similarity: np.ndarray  #: (4, 4), the similarity nearest to that map, from model to data, too
+    scale: float  #: of that similarity
+    handedness: str  #: "proper", "mirrored" or "ambiguous"
+    confidence: float  #: that the match is right, 0 to 1
+    bending: float  #: of the map, without unit
+    chamfer: float  #: mean distance of the mapped covered part to the data, in data diagonals
+    model_coverage: float  #: share of the model's surface that the match explains, 0 to 1
+    data_coverage: float  #: the same of the data's
+    model_part: np.ndarray  #: one for each vertex of the model, how surely it lies in the part that the match covers, 0 to 1
+    data_part: np.ndarray  #: the same of the data's
+    _map: _core.MatchMap
+
+    def carry_to_data(self, points: Any) -> Carried:
+        """Carries points (n, 3) or (3,) of the model, such as landmarks, to the data by `data_from_model`."""
+        return self._carry(points, True)
+
+    def carry_to_model(self, points: Any) -> Carried:
+        """Carries points of the data to the model by the inverse of `data_from_model`, so that they come back to where they were."""
+        return self._carry(points, False)
+
+    def _carry(self, points: Any, to_data: bool) -> Carried:
+        places = _places(points)
+        fields = self._map.carry(np.atleast_2d(places), to_data)
+        return Carried(**{name: field.reshape(places.shape[:-1] + field.shape[1:]) for name, field in fields.items()})
+
+    def _row(self) -> list[str]:
+        numbers = [f"{self.scale:.4g}", f"{self.bending:.4f}", f"{self.chamfer:.4f}"]
+        shares = [f"{self.model_coverage:.0%}", f"{self.data_coverage:.0%}"]
+        return [str(len(self.pairs)), f"{self.confidence:.2f}", self.handedness, *numbers, *shares]
+
+    def __repr__(self) -> str:
+        return f"<homolog.Match: {', '.join(f'{h} {v}' for h, v in zip(_HEADS[1:], self._row()))}>"
+
+
+_HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Family(Sequence):
+    """All matches, best first; false when nothing was found, and `counts` tells at which stage the last candidate died."""
+
+    matches: tuple[Match, ...]
+    counts: dict[str, int]  #: how many candidates each stage let through, in order
+    model: Shape
+    data: Shape
+
+    def __len__(self) -> int:
+        return len(self.matches)
+
+    def __getitem__(self, rank):
+        return self.matches[rank]
+
+    def plot(self, rank: int = 0, **keywords: Any) -> Any:
+        """Draws a match with PyVista (`pip install homolog[viz]`): both meshes, the covered parts in colour, the pairs with their numbers.
+
+        The keywords go to `pyvista.Plotter.show`; homolog.viz.plotter gives the plotter itself.
+        """
+        from homolog.viz import plotter
+
+        return plotter(self, rank).show(**keywords)
+
+    def _rows(self) -> list[list[str]]:
+        return [[str(rank), *match._row()] for rank, match in enumerate(self.matches, 1)]
+
+    def __repr__(self) -> str:
+        rows = [_HEADS, *self._rows()]
+        widths = [max(map(len, column)) for column in zip(*rows)]
+        table = "\n".join("  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows)
+        return table if self.matches else f"nothing found; {self._counted()}"
+
+    def _counted(self) -> str:
+        return ", ".join(f"{stage} {count}" for stage, count in self.counts.items())
+
+    def _repr_html_(self) -> str:
+        def line(cells: list[str], tag: str) -> str:
+            return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
+
+        if not self.matches:
+            return f"<p>{self!r}</p>"
+        return f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
+
+
+def family_of(found: tuple[list[dict], dict[str, int]], model: Shape, data: Shape) -> Family:
+    """From what _core returns."""
+    matches, counts = found
+    made = (Match(**{**fields, "data_from_model": ThinPlateSpline(**fields["data_from_model"])}) for fields in matches)
+    return Family(tuple(made), counts, model, data)

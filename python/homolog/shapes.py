@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""From whatever holds a shape to a described one."""
+from __future__ import annotations
+
+import difflib
+import os
+import warnings
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from homolog import _core
+from homolog.results import Points
+
+
+def arrays_of(shape: Any) -> tuple[np.ndarray, np.ndarray, str]:
+    """Vertices (n, 3), triangles (m, 3) and a name of anything that `describe` takes."""
+    if isinstance(shape, (str, bytes, os.PathLike)):
+        return _read(Path(os.fsdecode(shape)))
+    if hasattr(shape, "to_mesh") and not hasattr(shape, "faces"):  # a scene of trimesh
+        shape = shape.to_mesh()
+    if hasattr(shape, "triangulate") and hasattr(shape, "points"):  # PyVista
+        surface = _surface_of(shape).triangulate()
+        vertices, faces = surface.points, np.asarray(surface.faces).reshape(-1, 4)[:, 1:]
+    elif hasattr(shape, "vertices") and hasattr(shape, "faces"):  # trimesh and its like
+        vertices, faces = shape.vertices, shape.faces
+    elif hasattr(shape, "vertices") and hasattr(shape, "triangles"):  # Open3D
+        vertices, faces = np.asarray(shape.vertices), np.asarray(shape.triangles)
+    elif isinstance(shape, (tuple, list)) and len(shape) == 2:
+        vertices, faces = shape
+    else:
+        kind = type(shape).__name__
+        raise ValueError(f"a {kind} is no shape; give a path, (vertices, faces), or a mesh with .vertices and .faces")
+    return _rows(vertices, "vertices", np.float64), _rows(faces, "faces", np.uint32), ""
+
+
+def _surface_of(mesh: Any) -> Any:
+    if hasattr(mesh, "faces"):
+        return mesh
+    with warnings.catch_warnings():  # by which algorithm one day makes no difference here
+        warnings.simplefilter("ignore")
+        return mesh.extract_surface()
+
+
+def _read(path: Path) -> tuple[np.ndarray, np.ndarray, str]:
+    try:
+        return *_core.read(path), path.name
+    except OSError as error:
+        if path.exists():
+            raise
+        raise FileNotFoundError(str(error)) from None
+
+
+def _rows(rows: Any, what: str, dtype: type) -> np.ndarray:
+    """An (n, 3) array of the type. Throws ValueError."""
+    try:
+        rows = np.asarray(rows)
+    except ValueError as error:
+        raise ValueError(f"the {what} are no array: {error}") from None
+    if rows.ndim != 2 or rows.shape[1] != 3:
+        hint = "; divide polygons into triangles first" if what == "faces" and rows.ndim == 2 else ""
+        raise ValueError(f"the {what} have the shape {rows.shape}, but must have (n, 3){hint}")
+    integer = dtype is np.uint32
+    if rows.dtype.kind not in ("iu" if integer else "fiu"):
+        raise ValueError(f"the {what} are of type {rows.dtype}, but must be {'integers' if integer else 'real numbers'}")
+    if integer and rows.size and not 0 <= rows.min() <= rows.max() < 2**32:
+        raise ValueError(f"the {what} name the vertex {rows.min() if rows.min() < 0 else rows.max()}, which cannot be")
+    return np.array(rows, dtype, order="C")  # a copy: the caller's may change
+
+
+def _corners(part: Any) -> np.ndarray | None:
+    try:
+        corners = None if part is None else np.asarray(part, np.float64)
+    except (TypeError, ValueError):
+        corners = np.empty(0)
+    if corners is not None and corners.shape != (2, 3):
+        raise ValueError(f"the part is {part!r}, but must be a box ((x, y, z), (x, y, z)) in shares from 0 to 1")
+    return corners
+
+
+def texts_of(parameters: dict[str, Any]) -> dict[str, str]:
+    """Parameters by their name in the table. Throws ValueError for an unknown name."""
+    known = [row["name"] for row in _core.parameters()] + ["preset", "threads"]
+    texts = {name.replace("_", "-"): str(value) for name, value in parameters.items()}
+    for name in texts:
+        if name not in known:
+            near = difflib.get_close_matches(name, known, n=1)
+            hint = f"did you mean '{near[0].replace('-', '_')}'?" if near else "homolog.parameters() lists all"
+            raise ValueError(f"unknown parameter '{name.replace('-', '_')}'; {hint}")
+    return texts
+
+
+class Shape:
+    """A described shape, made by `homolog.describe`: describing once serves many matches.
+
+    Copies and pickles leave the description out, which is large; it is made again where it is needed.
+    """
+
+    vertices: np.ndarray  #: (n, 3)
+    faces: np.ndarray  #: (m, 3), triangles
+    name: str  #: of the file, if there was one
+    points: Points  #: the salient points
+    diagonal: float  #: of the bounding box of the part in use, in the shape's own units
+    guessed: float  #: share of the volume that had to be guessed, because the mesh is open: 0 to 1
+
+    def __init__(self, vertices: np.ndarray, faces: np.ndarray, name: str, part: Any, parameters: dict[str, str]):
+        self.vertices, self.faces, self.name, self.part, self.parameters = vertices, faces, name, part, parameters
+        self._made = None
+        self.points = Points(**self._described.points)
+        self.diagonal, self.guessed = self._described.diagonal, self._described.guessed
+
+    @property
+    def _described(self) -> _core.Described:
+        if self._made is None:
+            self._made = _core.describe(self.vertices, self.faces, self.name, _corners(self.part), self.parameters)
+        return self._made
+
+    def __getstate__(self) -> dict[str, Any]:
+        return {**self.__dict__, "_made": None}
+
+    def __repr__(self) -> str:
+        name = f"'{self.name}', " if self.name else ""
+        return f"<homolog.Shape: {name}{len(self.faces)} faces, {len(self.points)} salient points, diagonal {self.diagonal:.4g}>"

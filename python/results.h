@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// What calls return, as dicts whose keys are the fields of the classes in python/homolog/results.py.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+#include "homolog/homolog.h"
+#include "homolog/match/transfer.h"
+
+namespace homolog::python {
+
+nanobind::dict points_fields(const std::vector<SalientPoint>& points);
+
+/// The matches, best first, and the counts of the stages.
+nanobind::tuple family_fields(const Family& family, const std::vector<MatchParts>& parts, const std::vector<MatchMap>& maps);
+
+/// The class MatchMap, which carries points and pickles.
+void bind_match_map(nanobind::module_& module);
+
+}  // namespace homolog::python
