@@ -7,6 +7,7 @@
 #include "console.h"
 #include "homolog/homolog.h"
 #include "homolog/match/coverage.h"
+#include "input_limits.h"
 
 namespace homolog::cli {
 
@@ -17,7 +18,8 @@ struct DescribedFile {
   MeshedShape meshed() const { return {mesh, shape}; }
 };
 
-/// Throws FileError or ShapeError.
-DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, Console& console);
+/// Throws FileError or ShapeError, also for what is beyond the limits.
+DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, const Limits& limits,
+                            Console& console);
 
 }  // namespace homolog::cli

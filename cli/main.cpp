@@ -111,7 +111,7 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return report(kUnusableShape, error.what());
   } catch (const std::bad_alloc&) {
-    return report(kUnusableShape, "not enough memory for these shapes; a lower --resolution needs less");
+    return report(kUnusableShape, "not enough memory for these shapes; a lower --resolution needs less, and --max-memory may allow more");
   } catch (const std::exception& error) {
     return report(kUnusableShape, fmt::format("something failed inside, which is a mistake of the program: {}", error.what()));
   }

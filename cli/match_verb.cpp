@@ -37,8 +37,8 @@ int run_match(const MatchOptions& options) {
   const auto model_part = parse_part(options.model_part), data_part = parse_part(options.data_part);
   const ResultFolder folder(options.common.out);
   Console console(options.common.quiet, options.common.timing);
-  const DescribedFile model = describe_file(options.model, model_part, params, console);
-  const DescribedFile data = describe_file(options.data, data_part, params, console);
+  const DescribedFile model = describe_file(options.model, model_part, params, options.common.limits, console);
+  const DescribedFile data = describe_file(options.data, data_part, params, options.common.limits, console);
   console.stage("matching");
   return deliver(model, data, match_shapes(model.shape, data.shape, params, &console.watch()), params, options.common, folder, console);
 }

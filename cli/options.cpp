@@ -46,6 +46,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
   verb.add_flag("--timing", options.timing, "Tell on stderr what each stage took and held.");
   verb.add_option("--threads", options.threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
+  add_limit_options(verb, options.limits);
   add_preset_option(verb, options.parameters);
   for (const ParameterInfo& info : parameter_table()) {
     const auto store = [&given = options.parameters.given, name = info.name](const std::string& value) { given[name] = value; };

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "homolog/base/parameters.h"
+#include "input_limits.h"
 
 namespace homolog::cli {
 
@@ -19,6 +20,7 @@ struct CommonOptions {
   ParameterOptions parameters;
   std::string threads = "0";
   std::string out;
+  Limits limits;
   bool json = false, quiet = false, timing = false;
 };
 

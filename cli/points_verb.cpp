@@ -44,7 +44,7 @@ int run_points(const PointsOptions& options) {
   const auto part = parse_part(options.part);
   const ResultFolder folder(options.common.out);
   Console console(options.common.quiet, options.common.timing);
-  const DescribedFile file = describe_file(options.shape, part, params, console);
+  const DescribedFile file = describe_file(options.shape, part, params, options.common.limits, console);
 
   console.stage("writing results");
   const auto landmarks = point_landmarks(file.shape);

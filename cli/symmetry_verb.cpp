@@ -28,7 +28,7 @@ int match_with_itself(const std::string& path, const std::string& part, const Co
   const auto box = parse_part(part);
   const ResultFolder folder(options.out);
   Console console(options.quiet, options.timing);
-  const DescribedFile file = describe_file(path, box, params, console);
+  const DescribedFile file = describe_file(path, box, params, options.limits, console);
   console.stage("matching");
   return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console);
 }

@@ -104,6 +104,25 @@ class LyingFiles(Program):
         return self.read("page", "report.html")
 
 
+class Limits(Program):
+    def test_each_refuses_with_its_option_and_the_numbers(self):
+        for part, *words in (
+            ("bytes, more than the 1000 that are read", "--max-bytes", "1000"),
+            ("triangles are more than the 12 that are read", "--max-triangles", "12"),
+            ("salient points, more than the 3 that are matched; a higher --threshold", "--max-points", "3"),
+            ("not enough memory for these shapes; a lower --resolution needs less", "--max-memory", "200", "--resolution", "1000"),
+        ):
+            self.expect_message(3, part, "points", "bear.off", *COARSE, *words)
+        for option in ("--max-bytes", "--max-triangles", "--max-points"):
+            self.expect_message(2, option, "points", "bear.off", option, "0")
+        self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
+        self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
+
+    def test_enough_is_enough(self):
+        words = ("--max-bytes", "10000000", "--max-triangles", "100000", "--max-points", "1000", "--max-memory", "2000")
+        self.assertEqual(self.run_it("points", "bear.off", *COARSE, *words).stdout, self.run_it("points", "bear.off", *COARSE).stdout)
+
+
 class Surroundings(Program):
     def on_a_disk_of(self, kilobytes, script):
         """Runs a shell in which small/ is a file system of that size: no root is needed, only namespaces."""

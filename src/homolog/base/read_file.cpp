@@ -10,13 +10,8 @@
 #include "homolog/base/errors.h"
 
 namespace homolog {
-namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{2} << 30;
-
-}  // namespace
-
-void check_file(const std::filesystem::path& path) {
+void check_file(const std::filesystem::path& path, std::uint64_t most) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (!std::filesystem::exists(status)) throw FileError(fmt::format("{}: there is no such file; check the path", path.string()));
@@ -24,14 +19,13 @@ void check_file(const std::filesystem::path& path) {
   const std::uintmax_t size = std::filesystem::file_size(path, error);
   if (error) throw FileError(fmt::format("{}: this is not a regular file; save its contents to one", path.string()));
   if (size == 0) throw FileError(fmt::format("{}: the file is empty; export it again", path.string()));
-  if (size > largest_file) {
-    throw FileError(
-        fmt::format("{}: the file has {} bytes, more than the {} that are read; make it smaller", path.string(), size, largest_file));
+  if (size > most) {
+    throw FileError(fmt::format("{}: the file has {} bytes, more than the {} that are read; make it smaller", path.string(), size, most));
   }
 }
 
-std::string read_file(const std::filesystem::path& path) {
-  check_file(path);
+std::string read_file(const std::filesystem::path& path, std::uint64_t most) {
+  check_file(path, most);
   std::ifstream stream(path, std::ios::binary);
   std::string content(std::filesystem::file_size(path), '\0');
   if (!stream.read(content.data(), static_cast<std::streamsize>(content.size()))) {

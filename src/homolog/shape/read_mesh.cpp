@@ -18,9 +18,7 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t most_triangles = 50'000'000;
-
-void check_mesh(const Mesh& mesh, const std::string& file) {
+void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
   if (mesh.triangles.empty()) throw FileError(fmt::format("{}: the file holds no triangles; export the surface as a mesh", file));
   if (mesh.triangles.size() > most_triangles) {
     throw FileError(
@@ -35,25 +33,25 @@ void check_mesh(const Mesh& mesh, const std::string& file) {
 
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path) {
-  check_file(path);
+Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits) {
+  check_file(path, limits.bytes);
   const std::string extension = lower_extension(path);
   Mesh mesh;
   if (extension == ".off") {
-    mesh = read_off(read_file(path), path.string());
+    mesh = read_off(read_file(path, limits.bytes), path.string());
   } else if (extension == ".obj") {
-    mesh = read_obj(read_file(path), path.string());
+    mesh = read_obj(read_file(path, limits.bytes), path.string());
   } else if (extension == ".ply") {
-    mesh = read_ply(read_file(path), path.string());
+    mesh = read_ply(read_file(path, limits.bytes), path.string());
   } else if (extension == ".stl") {
-    mesh = weld(read_stl(read_file(path), path.string()));
+    mesh = weld(read_stl(read_file(path, limits.bytes), path.string()));
   } else if (const auto& scenes = scene_extensions(); std::find(scenes.begin(), scenes.end(), extension) != scenes.end()) {
     mesh = read_scene(path);
   } else {
     throw FileError(fmt::format("{}: the format '{}' is not known; save the mesh as OFF, OBJ, PLY, STL or one of {}", path.string(),
                                 extension, fmt::join(scenes, ", ")));
   }
-  check_mesh(mesh, path.string());
+  check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }
 

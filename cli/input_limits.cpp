@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "input_limits.h"
+
+#include <fmt/format.h>
+#include <sys/resource.h>
+
+#include <algorithm>
+
+#include "homolog/base/errors.h"
+
+namespace homolog::cli {
+namespace {
+
+constexpr std::uint64_t kMost = 1000000000000;
+
+/// From here on, asking for more memory fails and becomes a message. The system counts what can be written to, not what is reserved.
+void limit_memory(std::uint64_t mebibytes) {
+  if (mebibytes == 0) return;
+  rlimit limit{};
+  getrlimit(RLIMIT_DATA, &limit);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, mebibytes << 20);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+}  // namespace
+
+void add_limit_options(CLI::App& verb, Limits& limits) {
+  const auto add = [&](const char* name, auto& value, const char* what) {
+    verb.add_option(name, value, fmt::format("{}; default {}.", what, value))
+        ->group("Limits")
+        ->type_name("N")
+        ->check(CLI::Range(1ul, kMost));
+  };
+  add("--max-bytes", limits.file.bytes, "Refuse files of more bytes");
+  add("--max-triangles", limits.file.triangles, "Refuse meshes of more triangles");
+  add("--max-points", limits.points, "Refuse shapes with more salient points");
+  verb.add_option_function<std::uint64_t>("--max-memory", limit_memory, "Take no more MiB of memory; default 0, all there is.")
+      ->group("Limits")
+      ->type_name("MIB")
+      ->check(CLI::Range(0ul, std::uint64_t{1} << 30));
+}
+
+void check_points(const Shape& shape, const Limits& limits) {
+  if (shape.points.size() <= limits.points) return;
+  throw ShapeError(
+      fmt::format("it has {} salient points, more than the {} that are matched; a higher --threshold or --sigma0 finds fewer, "
+                  "--max-points allows more",
+                  shape.points.size(), limits.points));
+}
+
+}  // namespace homolog::cli
