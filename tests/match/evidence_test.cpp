@@ -25,7 +25,7 @@ TEST(Evidence, TheIdentityReachesAllWithoutStretch) {
   EXPECT_EQ(evidence.model_reached, 1);
   EXPECT_GT(evidence.data_reached, 0.95);  // four times as many samples there; few stand on edges with other normals
   EXPECT_GT(evidence.data_near_reached, 0.95);
-  EXPECT_NEAR(evidence.stretch, 0, 1e-12);
+  EXPECT_NEAR(evidence.turning, 0, 1e-6);
 }
 
 TEST(Evidence, FlippedAndShrunkMapsReachLess) {
@@ -35,7 +35,7 @@ TEST(Evidence, FlippedAndShrunkMapsReachLess) {
   EXPECT_LT(flipped.data_reached, 0.7);
   const Evidence shrunk = weigh_on_itself(laid({0.5, Mat3::Identity(), Vec3::Zero()}));
   EXPECT_LT(shrunk.data_reached, 0.3);  // the covered skin is a quarter at most
-  EXPECT_NEAR(shrunk.stretch, 0, 1e-12);
+  EXPECT_NEAR(shrunk.turning, 0, 1e-6);
   EXPECT_LT(merit_of(flipped), merit_of(right) - 0.5);
   EXPECT_LT(merit_of(shrunk), merit_of(right) - 0.5);
 }
@@ -46,12 +46,18 @@ TEST(Evidence, InsideOutIsNotReached) {
   EXPECT_LT(weigh_on_itself(cloth).model_reached, 0.01);
 }
 
-TEST(Evidence, StretchIsTheSpreadOfLogarithmsOfLengths) {
+TEST(Evidence, TurningIsTheMeanAngleBetweenNeighbours) {
+  const Body& body = fixtures::described_hand().body;
   Cloth cloth = laid({});
-  for (Vec3& node : cloth.nodes) node.y() *= 2;
-  const double stretch = weigh_on_itself(cloth).stretch;
-  EXPECT_GT(stretch, 0.5 * std::log(2));
-  EXPECT_LT(stretch, std::log(2) + 1e-12);
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    cloth.rotations[i] = Eigen::AngleAxisd(0.5 * body.nodes[i].x(), Vec3::UnitZ()).toRotationMatrix();
+  }
+  double sum = 0, edges = 0;
+  for (std::size_t i = 0; i < body.nodes.size(); ++i) {
+    for (const int j : body.neighbours[i]) sum += 0.5 * std::abs(body.nodes[i].x() - body.nodes[j].x()), ++edges;
+  }
+  EXPECT_GT(sum, 0);
+  EXPECT_NEAR(weigh_on_itself(cloth).turning, sum / edges, 1e-6);
 }
 
 TEST(Evidence, APartIsJudgedByTheDataNearIt) {
@@ -67,11 +73,11 @@ TEST(Evidence, APartIsJudgedByTheDataNearIt) {
 
 TEST(Evidence, MeritAndConfidenceRiseTogether) {
   const Evidence middling{0.7, 0.7, 0.7, 0.2, 5};
-  Evidence better_reach = middling, less_stretch = middling, more_pairs = middling;
+  Evidence better_reach = middling, less_turning = middling, more_pairs = middling;
   better_reach.data_near_reached = 0.8;
-  less_stretch.stretch = 0.1;
+  less_turning.turning = 0.1;
   more_pairs.support = 8;
-  for (const Evidence& better : {better_reach, less_stretch, more_pairs}) {
+  for (const Evidence& better : {better_reach, less_turning, more_pairs}) {
     EXPECT_GT(merit_of(better), merit_of(middling));
     EXPECT_GT(confidence_of(better, Chirality::proper), confidence_of(middling, Chirality::proper));
   }
@@ -82,7 +88,7 @@ TEST(Evidence, MeritAndConfidenceRiseTogether) {
 TEST(Evidence, AMirroredMatchMustBeBetterToBeAsCredible) {
   const Evidence evidence{0.7, 0.7, 0.7, 0.2, 5};
   Evidence better = evidence;
-  better.stretch = 0;
+  better.turning = 0;
   EXPECT_LT(rank_merit(evidence, Chirality::mirrored), rank_merit(evidence, Chirality::proper));
   EXPECT_LT(confidence_of(evidence, Chirality::mirrored), confidence_of(evidence, Chirality::proper));
   EXPECT_GT(confidence_of(better, Chirality::mirrored), confidence_of(evidence, Chirality::proper));

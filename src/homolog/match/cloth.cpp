@@ -148,6 +148,16 @@ Pull assign(const Cloth& cloth, const Body& model, const SampleBlocks& data, dou
   return pull;
 }
 
+// Soft assignment draws every skin inwards from its ends and edges, even one that lies where it should. What it would do to the skin laid
+// on itself is given back, as in the Sinkhorn divergence (Feydy et al. 2019).
+Pull unbiased(Pull pull, const Cloth& cloth, const Body& model, double reach) {
+  std::vector<SurfaceSample> skin;
+  for (std::size_t i = 0; i < model.surface_count; ++i) skin.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
+  const Pull own = assign(cloth, model, make_blocks(skin), reach);
+  for (std::size_t i = 0; i < model.surface_count; ++i) pull.place[i] += cloth.nodes[i] - own.place[i];
+  return pull;
+}
+
 using Sparse = Eigen::SparseMatrix<double>;
 
 Sparse laplacian_of(const Edges& edges) {
@@ -219,7 +229,8 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
     const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
     const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
-    const Draw draw = draw_of(cloth, assign(cloth, model, samples, reach), anchors, stiffness);
+    const Pull pull = unbiased(assign(cloth, model, samples, reach), cloth, model, reach);
+    const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass;
     solver.factorize(system);
     for (int inner = 0; inner < shape_steps; ++inner) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Beyond the paper: what a refined cloth tells about a match, and how that becomes a confidence. The paper's one-sided chamfer distance
-// cannot tell a right map from a flipped one; reach in both directions together with stretch can.
+// cannot tell a right map from a flipped one; reach in both directions together with the bending of the body can.
 #pragma once
 
 #include "homolog/describe/shape.h"
@@ -15,18 +15,18 @@ constexpr double reached_share = 0.02;
 /// The matched extent of the cloth's shapes (match.h).
 double extent_of(const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// Shares of the skin samples and edges; all from 0 (bad) to 1 (good) but stretch.
+/// All but Evidence::support, which needs the pairs (refine.cpp).
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// One number that orders the matches of a pair of shapes: reach both ways, less stretch, and a little for every salient point paired.
-/// Weights by conditional logistic regression within 174 pairs of real shapes.
+/// One number that orders the matches of a pair of shapes: reach both ways, less turning, and a little for every salient point paired.
+/// Weights by conditional logistic regression within 177 pairs of real shapes.
 double merit_of(const Evidence& evidence);
 
 /// What the family is ordered by: the merit, less a handicap for mirrored matches, which are rarely meant.
 double rank_merit(const Evidence& evidence, Chirality chirality);
 
 /// Probability that the best match of a pair is right, logistic in its rank merit, so that it falls along a family; fitted to the first
-/// places of 176 real pairs.
+/// places of 177 real pairs.
 double confidence_of(const Evidence& evidence, Chirality chirality);
 
 }  // namespace homolog

@@ -29,7 +29,7 @@ struct Evidence {
   double model_reached = 0;      ///< share of the model's skin that comes to lie on the data's, normals agreeing
   double data_reached = 0;       ///< share of the data's skin on which the model comes to lie
   double data_near_reached = 0;  ///< the same, of the data's skin near what is reached, along the inside
-  double stretch = 0;            ///< spread of the logarithms of how lengths inside the body change
+  double turning = 0;            ///< mean angle, in radians, between the rotations of neighbours: how much the body is bent all over
   double support = 0;            ///< number of salient points that the map pairs, each counted by how well it fits
 };
 

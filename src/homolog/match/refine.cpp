@@ -13,9 +13,10 @@ namespace {
 
 constexpr ClothSchedule first_draw{12, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
-constexpr double widenings[] = {2.5, 2.5, 1};  // of the guided pairs' limits, round by round
-constexpr std::size_t data_samples = 400;      // near the mapped part
-constexpr double near_share = 0.15;            // of the mapped model's extent
+constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
+constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
+constexpr double near_share = 0.15;                                  // of the mapped model's extent
+constexpr double wide = 2.5;                                         // of the guided pairs' limits, but in the last round
 
 std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
   std::vector<Anchor> anchors;
@@ -24,13 +25,13 @@ std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body)
 }
 
 // The data's samples that the laid cloth can have to do with; the whole body's would draw parts apart.
-std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<SurfaceSample>& samples, double distance) {
+std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<SurfaceSample>& samples, double distance, std::size_t most) {
   std::vector<SurfaceSample> near;
   for (const SurfaceSample& s : samples) {
     const bool is_near = std::any_of(cloth.nodes.begin(), cloth.nodes.end(),
                                      [&](const Vec3& n) { return (n - s.position).squaredNorm() < distance * distance; });
     if (is_near) near.push_back(s);
-    if (near.size() == data_samples) break;
+    if (near.size() == most) break;
   }
   return near;
 }
@@ -55,9 +56,9 @@ void weigh_again(Refined& refined, const Shape& model, const Shape& data, Descri
   refined.confidence = confidence_of(refined.evidence, refined.cloth.chirality);
 }
 
-void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule) {
+void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule, std::size_t samples) {
   const double extent = extent_of(refined.cloth, model, data);
-  const std::vector<SurfaceSample> near = samples_near(refined.cloth, data.surface, near_share * extent);
+  const std::vector<SurfaceSample> near = samples_near(refined.cloth, data.surface, near_share * extent, samples);
   if (!near.empty()) draw_cloth(refined.cloth, model.body, near, extent, anchors_of(refined.pairs, model.body), schedule);
 }
 
@@ -65,16 +66,18 @@ void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSc
 
 Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind) {
   Refined refined{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};
-  draw(refined, model, data, first_draw);
+  draw(refined, model, data, first_draw, data_samples);
   weigh_again(refined, model, data, kind);
   return refined;
 }
 
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
-  for (const double widening : widenings) {
-    refined.pairs = guided_pairs(refined.cloth, model, data, kind, widening);
-    draw(refined, model, data, next_draw);
+  for (int round = 0; round < 2; ++round) {
+    refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
+    draw(refined, model, data, next_draw, data_samples);
   }
+  refined.pairs = guided_pairs(refined.cloth, model, data, kind, 1);
+  draw(refined, model, data, last_draw, last_data_samples);
   weigh_again(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
   refined.pairs = trusted_pairs(std::move(refined.pairs), refined.cloth, merit_of(refined.evidence), extent, model, data, kind);

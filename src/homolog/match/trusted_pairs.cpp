@@ -7,7 +7,7 @@
 namespace homolog {
 namespace {
 
-constexpr double least_confidence = 0.6;
+constexpr double least_confidence = 0.7;
 constexpr std::size_t least_kept = 5;
 
 // Share of the points that are more similar to their counterpart than the pair is, mean of both directions.
@@ -30,7 +30,7 @@ CorrespondenceSet trusted_pairs(CorrespondenceSet pairs, const Cloth& cloth, dou
   for (Correspondence& c : pairs) {
     const double miss = (cloth.nodes[model.body.point_node(c.model)] - c.data_point.position).norm() / extent;
     const double rivals = share_of_rivals(c, model, data, kind);
-    c.confidence = 1 / (1 + std::exp(5.7 - 3 * merit + 89 * miss + 0.53 * std::log(0.02 + rivals)));
+    c.confidence = 1 / (1 + std::exp(4.4 - 2.4 * merit + 85 * miss + 0.57 * std::log(0.02 + rivals)));
     confidences.push_back(c.confidence);
   }
   if (pairs.size() <= least_kept) return pairs;
