@@ -6,15 +6,14 @@
 #include <algorithm>
 #include <cmath>
 
-#include "homolog/describe/sample_blocks.h"
+#include "homolog/match/soft_assignment.h"
 
 namespace homolog {
 namespace {
 
 constexpr double anchor_weight = 2;
-constexpr double flat_share = 0.05;    // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
-constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
-constexpr int shape_steps = 2;         // rotations and places in turn, per assignment
+constexpr double flat_share = 0.05;  // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
+constexpr int shape_steps = 2;       // rotations and places in turn, per assignment
 
 // The body's edges in one row, node after node.
 struct Edges {
@@ -91,70 +90,18 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];
 }
 
-// What the data's samples ask of every skin node: a place, and how strongly.
-struct Pull {
-  std::vector<Vec3> place;
-  std::vector<double> mass;
-};
-
-// The weights of a skin node and the samples of a block: near, and facing the same way.
-struct BlockWeights {
-  int node, block;
-  BlockFloats weight;
-};
-
-std::vector<BlockWeights> weigh_blocks(const Cloth& cloth, const Body& model, const SampleBlocks& data, double reach) {
-  constexpr float farthest = 12;  // where the weight is nothing: e^-12
-  const auto inverse = static_cast<float>(0.5 / (reach * reach));
-  const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
-  std::vector<BlockWeights> weights;
-  for (int i = 0; i < static_cast<int>(model.surface_count); ++i) {
-    const Eigen::Vector3f y = (cloth.nodes[i] - data.middle).cast<float>(), n = (cloth.rotations[i] * model.normals[i]).cast<float>();
-    for (int b = 0; b < static_cast<int>(data.blocks.size()); ++b) {
-      const SampleBlock& block = data.blocks[b];
-      const float passed = limit + block.radius;
-      if ((block.centre - y).squaredNorm() > passed * passed) continue;
-      const BlockFloats nearness = ((-inverse * squared_distances(block, y)).exp() - nothing).max(0.0f);
-      const BlockFloats agreement = (block.nx * n.x() + block.ny * n.y() + block.nz * n.z()).max(0.0f);
-      weights.push_back({i, b, nearness * agreement.square()});
-    }
-  }
-  return weights;
-}
-
-// One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
-Eigen::ArrayXf half_over(const Eigen::ArrayXf& sums) { return 0.5f / (sums + outlier_share * sums.mean() + 1e-12f); }
-
-// Soft assignment of nodes to samples and of samples to nodes, the mean of both.
-Pull assign(const Cloth& cloth, const Body& model, const SampleBlocks& data, double reach) {
-  const std::vector<BlockWeights> weights = weigh_blocks(cloth, model, data, reach);
-  Eigen::ArrayXf node_sums = Eigen::ArrayXf::Zero(model.surface_count), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
-  for (const BlockWeights& w : weights) {
-    node_sums[w.node] += w.weight.sum();
-    sample_sums.segment<block_size>(w.block * block_size) += w.weight;
-  }
-  const Eigen::ArrayXf by_node = half_over(node_sums), by_sample = half_over(sample_sums);
-  Eigen::MatrixX4f sums = Eigen::MatrixX4f::Zero(model.surface_count, 4);
-  for (const BlockWeights& w : weights) {
-    const SampleBlock& block = data.blocks[w.block];
-    const BlockFloats share = w.weight * (by_sample.segment<block_size>(w.block * block_size) + by_node[w.node]);
-    sums.row(w.node) += Eigen::RowVector4f((share * block.x).sum(), (share * block.y).sum(), (share * block.z).sum(), share.sum());
-  }
-  Pull pull{std::vector<Vec3>(model.surface_count, Vec3::Zero()), std::vector<double>(model.surface_count, 0)};
-  for (std::size_t i = 0; i < model.surface_count; ++i) {
-    pull.mass[i] = sums(i, 3);
-    if (sums(i, 3) > 1e-9f) pull.place[i] = data.middle + (sums.row(i).head<3>() / sums(i, 3)).cast<double>().transpose();
-  }
-  return pull;
+std::vector<SurfaceSample> skin_of(const Cloth& cloth, const Body& model) {
+  std::vector<SurfaceSample> skin;
+  for (std::size_t i = 0; i < model.surface_count; ++i) skin.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
+  return skin;
 }
 
 // Soft assignment draws every skin inwards from its ends and edges, even one that lies where it should. What it would do to the skin laid
 // on itself is given back, as in the Sinkhorn divergence (Feydy et al. 2019).
-Pull unbiased(Pull pull, const Cloth& cloth, const Body& model, double reach) {
-  std::vector<SurfaceSample> skin;
-  for (std::size_t i = 0; i < model.surface_count; ++i) skin.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
-  const Pull own = assign(cloth, model, make_blocks(skin), reach);
-  for (std::size_t i = 0; i < model.surface_count; ++i) pull.place[i] += cloth.nodes[i] - own.place[i];
+Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach) {
+  Pull pull = assign_softly(skin, data, reach);
+  const Pull own = assign_softly(skin, make_blocks(skin), reach);
+  for (std::size_t i = 0; i < skin.size(); ++i) pull.places[i] += skin[i].position - own.places[i];
   return pull;
 }
 
@@ -187,7 +134,7 @@ Draw draw_of(const Cloth& cloth, const Pull& pull, const std::vector<Anchor>& an
     draw.mass[node] += mass / stiffness;
     draw.moment.row(node) += mass / stiffness * place;
   };
-  for (std::size_t i = 0; i < pull.mass.size(); ++i) add(i, pull.mass[i], pull.place[i]);
+  for (std::size_t i = 0; i < pull.masses.size(); ++i) add(i, pull.masses[i], pull.places[i]);
   for (const Anchor& anchor : anchors) add(anchor.node, anchor_weight, anchor.place);
   return draw;
 }
@@ -229,7 +176,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
     const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
     const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
-    const Pull pull = unbiased(assign(cloth, model, samples, reach), cloth, model, reach);
+    const Pull pull = unbiased_pull(skin_of(cloth, model), samples, reach);
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass;
     solver.factorize(system);

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/soft_assignment.h"
+
+#include <cmath>
+#include <vector>
+
+#include "homolog/base/widest_clone.h"
+
+namespace homolog {
+namespace {
+
+constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
+constexpr float farthest = 12;         // where the weight is nothing: e^-12
+
+// x becomes e^x, for x <= 0, to 2e-7: a power of two, and a polynomial for the rest.
+[[gnu::always_inline]] inline void exponentiate(SixteenFloats& x) {
+  using Ints [[gnu::vector_size(64)]] = int;
+  const SixteenFloats t = (x < -80 ? x - x - 80 : x) * 1.44269504f;
+  const Ints whole = __builtin_convertvector(t - 0.5f, Ints);  // rounds, for t is negative
+  const SixteenFloats f = t - __builtin_convertvector(whole, SixteenFloats);
+  SixteenFloats power = 0.00015403530f * f + 0.0013333558f;
+  for (const float coefficient : {0.0096181291f, 0.055504109f, 0.24022651f, 0.69314718f, 1.0f}) power = power * f + coefficient;
+  x = power * reinterpret_cast<SixteenFloats>((whole + 127) << 23);
+}
+
+// A place of the skin as the blocks see it, and which of them are near.
+struct Place {
+  Eigen::Vector3f y, n;
+  std::vector<int> near;
+  std::vector<float> weights;  // sixteen for each near block
+};
+
+Place place_among(const SurfaceSample& skin, const SampleBlocks& data, float limit) {
+  Place place{(skin.position - data.middle).cast<float>(), skin.normal.cast<float>(), {}, {}};
+  for (int b = 0; b < static_cast<int>(data.blocks.size()); ++b) {
+    const float passed = limit + data.blocks[b].radius;
+    if ((data.blocks[b].centre - place.y).squaredNorm() <= passed * passed) place.near.push_back(b);
+  }
+  place.weights.resize(place.near.size() * block_size);
+  return place;
+}
+
+// The weights, added to the sums of the samples (sixteen a block) and to sixteen sums of the place.
+HOMOLOG_WIDEST_CLONE void weigh(Place& place, const SampleBlock* blocks, float inverse, float nothing, float* sample_sums, float* sums) {
+  const SixteenFloats zero = {};
+  for (std::size_t b = 0; b < place.near.size(); ++b) {
+    const SampleBlock& block = blocks[place.near[b]];
+    const SixteenFloats x = sixteen(block.x.data()) - place.y.x(), y = sixteen(block.y.data()) - place.y.y();
+    const SixteenFloats z = sixteen(block.z.data()) - place.y.z();
+    SixteenFloats nearness = -inverse * (x * x + y * y + z * z);
+    exponentiate(nearness);
+    nearness -= nothing;
+    const SixteenFloats agreement =
+        sixteen(block.nx.data()) * place.n.x() + sixteen(block.ny.data()) * place.n.y() + sixteen(block.nz.data()) * place.n.z();
+    const SixteenFloats weight = (nearness > 0 ? nearness : zero) * (agreement > 0 ? agreement * agreement : zero);
+    sixteen(place.weights.data() + b * block_size) = weight;
+    sixteen(sample_sums + place.near[b] * block_size) += weight;
+    sixteen(sums) += weight;
+  }
+}
+
+// The samples weighted as place and samples share them, added to four times sixteen sums: x, y, z and mass.
+HOMOLOG_WIDEST_CLONE void add_up(const Place& place, const SampleBlock* blocks, float by_place, const float* by_sample, float* sums) {
+  for (std::size_t b = 0; b < place.near.size(); ++b) {
+    const SampleBlock& block = blocks[place.near[b]];
+    const SixteenFloats share =
+        sixteen(place.weights.data() + b * block_size) * (sixteen(by_sample + place.near[b] * block_size) + by_place);
+    sixteen(sums) += share * sixteen(block.x.data());
+    sixteen(sums + block_size) += share * sixteen(block.y.data());
+    sixteen(sums + 2 * block_size) += share * sixteen(block.z.data());
+    sixteen(sums + 3 * block_size) += share;
+  }
+}
+
+// One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
+Eigen::ArrayXf half_over(const Eigen::ArrayXf& sums) { return 0.5f / (sums + outlier_share * sums.mean() + 1e-12f); }
+
+}  // namespace
+
+Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach) {
+  const auto inverse = static_cast<float>(0.5 / (reach * reach));
+  const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
+  std::vector<Place> places;
+  Eigen::ArrayXf place_sums(skin.size()), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    places.push_back(place_among(skin[i], data, limit));
+    BlockFloats sums = BlockFloats::Zero();
+    weigh(places[i], data.blocks.data(), inverse, nothing, sample_sums.data(), sums.data());
+    place_sums[i] = sums.sum();
+  }
+  const Eigen::ArrayXf by_place = half_over(place_sums), by_sample = half_over(sample_sums);
+  Pull pull{std::vector<Vec3>(skin.size(), Vec3::Zero()), std::vector<double>(skin.size(), 0)};
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    Eigen::Array<float, block_size, 4> sums = Eigen::Array<float, block_size, 4>::Zero();
+    add_up(places[i], data.blocks.data(), by_place[i], by_sample.data(), sums.data());
+    const Eigen::Array4f total = sums.colwise().sum();
+    pull.masses[i] = total[3];
+    if (total[3] > 1e-9f) pull.places[i] = data.middle + (total.head<3>() / total[3]).matrix().cast<double>();
+  }
+  return pull;
+}
+
+}  // namespace homolog

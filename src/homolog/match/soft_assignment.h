@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: which samples of the data a skin is drawn to, softly and both ways, as in robust point matching (Chui & Rangarajan
+// 2003).
+#pragma once
+
+#include <vector>
+
+#include "homolog/describe/sample_blocks.h"
+
+namespace homolog {
+
+/// What the data's samples ask of every place of a skin.
+struct Pull {
+  std::vector<Vec3> places;    ///< mean of its samples; zero where there are none
+  std::vector<double> masses;  ///< how strongly, 0 to about 1
+};
+
+/// A place and a sample weigh exp(-distance^2 / (2 reach^2)) max(0, n . n')^2. The weights are normalised by place and by sample, each
+/// with a tenth of the mean sum for what has no partner, and the mean of both is taken.
+Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach);
+
+}  // namespace homolog

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+// The blocks weigh as the plain formula does, sample by sample.
+#include "homolog/match/soft_assignment.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "match/synthetic_pairs.h"
+
+namespace homolog {
+namespace {
+
+std::vector<SurfaceSample> scattered(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<SurfaceSample> samples;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 position = synthetic::in_cube(random) + Vec3(100, -50, 0);
+    samples.push_back({position, (synthetic::in_cube(random) - Vec3::Constant(0.5)).normalized()});
+  }
+  return samples;
+}
+
+Pull plain(const std::vector<SurfaceSample>& skin, const std::vector<SurfaceSample>& data, double reach) {
+  Eigen::MatrixXd w(skin.size(), data.size());
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    for (std::size_t k = 0; k < data.size(); ++k) {
+      const double nearness = std::exp(-0.5 * (skin[i].position - data[k].position).squaredNorm() / (reach * reach)) - std::exp(-12);
+      const double agreement = skin[i].normal.dot(data[k].normal);
+      w(i, k) = nearness > 0 && agreement > 0 ? nearness * agreement * agreement : 0;
+    }
+  }
+  const Eigen::VectorXd rows = w.rowwise().sum(), columns = w.colwise().sum();
+  const double row_outliers = 0.1 * rows.mean() + 1e-12;
+  const double column_outliers = 0.1 * columns.sum() / (16 * std::ceil(static_cast<double>(data.size()) / 16)) + 1e-12;
+  Pull pull{std::vector<Vec3>(skin.size(), Vec3::Zero()), std::vector<double>(skin.size(), 0)};
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    for (std::size_t k = 0; k < data.size(); ++k) {
+      const double share = 0.5 * w(i, k) * (1 / (rows[i] + row_outliers) + 1 / (columns[k] + column_outliers));
+      pull.masses[i] += share;
+      pull.places[i] += share * data[k].position;
+    }
+    if (pull.masses[i] > 1e-9) pull.places[i] /= pull.masses[i];
+  }
+  return pull;
+}
+
+TEST(SoftAssignment, IsThePlainFormula) {
+  for (const int count : {1, 16, 100, 333}) {
+    const auto skin = scattered(60, 1), data = scattered(count, 2);
+    for (const double reach : {0.02, 0.1, 0.5}) {
+      const Pull fast = assign_softly(skin, make_blocks(data), reach), clear = plain(skin, data, reach);
+      for (std::size_t i = 0; i < skin.size(); ++i) {
+        EXPECT_NEAR(fast.masses[i], clear.masses[i], 1e-4 * (clear.masses[i] + 1e-3)) << count << ' ' << reach;
+        if (clear.masses[i] > 1e-6) EXPECT_LT((fast.places[i] - clear.places[i]).norm(), 1e-4);
+      }
+    }
+  }
+}
+
+TEST(SoftAssignment, NobodyIsDrawnWhereThereIsNothing) {
+  const Pull pull = assign_softly(scattered(3, 1), make_blocks({{Vec3::Constant(1e3), Vec3::UnitX()}}), 0.1);
+  for (std::size_t i = 0; i < 3; ++i) {
+    EXPECT_EQ(pull.masses[i], 0);
+    EXPECT_EQ(pull.places[i], Vec3::Zero());
+  }
+}
+
+}  // namespace
+}  // namespace homolog
