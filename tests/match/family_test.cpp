@@ -83,6 +83,23 @@ TEST(Family, ConfidencesFallThoughAMirroredMatchIsAShadeBetter) {
   EXPECT_GT(both[0].confidence, both[1].confidence);
 }
 
+TEST(Family, AWorseWayToLayTheSamePartIsBelievedByTheOddsBetweenThem) {
+  const Mat3 half_turn = Eigen::AngleAxisd(M_PI, Vec3::UnitZ()).toRotationMatrix();
+  const std::vector<Match> ways = make_family({start({}), start({1, half_turn, Vec3::Zero()})}, beast(), beast(), coarse(), false);
+  ASSERT_EQ(ways.size(), 2u);
+  const double odds = std::exp(12 * (merit_of(ways[1].evidence) - merit_of(ways[0].evidence)));
+  EXPECT_LT(odds, 0.1);
+  EXPECT_NEAR(ways[1].confidence, odds * confidence_of(ways[1].evidence, Chirality::proper), 1e-12);
+}
+
+TEST(Family, AnotherCopyIsBelievedOnItsOwn) {
+  const auto at = [](double x) { return moved(quadruped(), {Mat3::Identity(), 1, {x, 0, 0}}); };
+  const Shape two = described(join({quadruped(), at(4)}), 128);
+  const std::vector<Match> copies = make_family({start({}), start({1, Mat3::Identity(), {4, 0, 0}})}, beast(), two, coarse(), false);
+  ASSERT_EQ(copies.size(), 2u);
+  for (const Match& match : copies) EXPECT_NEAR(match.confidence, confidence_of(match.evidence, Chirality::proper), 1e-12);
+}
+
 TEST(Family, MirrorParameterLeavesOneChirality) {
   const std::vector<GrownSet> sets = {start({}), start({1, mirror_y, Vec3::Zero()})};
   for (const Mirror mirror : {Mirror::forbid, Mirror::only}) {

@@ -17,6 +17,8 @@ constexpr std::size_t least_grown = 3;  // but guiding may find them their fourt
 constexpr std::size_t guided = 16;      // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double same_start = 0.04;     // the same for grown sets, at the salient points
+constexpr double rivalry = 12;          // log of odds per merit between matches that claim the same part of the data (merit_of's fit)
+constexpr std::size_t compared = 150;   // nodes of each
 constexpr double near_tie = 0.1;        // merit within which the other handedness makes a match ambiguous
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
@@ -46,20 +48,40 @@ std::vector<Refined> without_duplicates(std::vector<Refined> all, const Shape& m
   });
 }
 
-// Share of a's mapped nodes that lie where b's do, whichever nodes those are: do both claim the same part of the data?
+// Share of a's mapped skin that lies where b's does, whichever nodes those are: do both claim the same part of the data?
 double overlap(const Cloth& a, const Cloth& b, double tolerance) {
-  const auto is_covered = [&](const Vec3& node) {
-    return std::any_of(b.nodes.begin(), b.nodes.end(),
-                       [&](const Vec3& other) { return (node - other).squaredNorm() < tolerance * tolerance; });
-  };
-  return static_cast<double>(std::count_if(a.nodes.begin(), a.nodes.end(), is_covered)) / static_cast<double>(a.nodes.size());
+  const std::size_t count = std::min(compared, a.nodes.size());  // a prefix of the nodes is even
+  std::size_t covered = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    covered += std::any_of(b.nodes.begin(), b.nodes.begin() + static_cast<std::ptrdiff_t>(count),
+                           [&](const Vec3& other) { return (a.nodes[i] - other).squaredNorm() < tolerance * tolerance; });
+  }
+  return static_cast<double>(covered) / static_cast<double>(count);
+}
+
+bool same_part(const Refined& match, const Refined& other, const Shape& model, const Shape& data) {
+  return overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
+}
+
+// Of matches that claim the same part of the data one is right, and those as good are symmetric to it: a worse one is believed by the
+// odds between them. `all` come best first by merit and leave so by belief: other copies of the model come before worse ways to lay it on
+// the first one.
+std::vector<Refined> believed(std::vector<Refined> all, const Shape& model, const Shape& data) {
+  const auto lead = [](const Refined& a, const Refined& b) { return std::max(0.0, merit_of(a.evidence) - merit_of(b.evidence)); };
+  for (std::size_t i = all.size(); i-- > 0;) {
+    const auto better_end = all.begin() + static_cast<std::ptrdiff_t>(i);
+    const auto rival = std::find_if(all.begin(), better_end, [&](const Refined& r) { return same_part(all[i], r, model, data); });
+    if (rival != better_end) all[i].confidence *= std::exp(-rivalry * lead(*rival, all[i]));
+  }
+  std::stable_sort(all.begin(), all.end(), [](const Refined& a, const Refined& b) { return a.confidence > b.confidence; });
+  return all;
 }
 
 // A match is ambiguous when its mirror image explains the same part of the data about as well.
 bool is_ambiguous(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
   return std::any_of(all.begin(), all.end(), [&](const Refined& other) {
     return match.cloth.chirality != other.cloth.chirality && std::abs(merit_of(other.evidence) - merit_of(match.evidence)) < near_tie &&
-           overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
+           same_part(match, other, model, data);
   });
 }
 
@@ -104,11 +126,14 @@ bool allowed(Chirality chirality, Mirror mirror) {
 
 std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
                                bool without_identity) {
-  const std::vector<Refined> refined = refine_all(sets, model, data, params);
+  std::vector<Refined> refined = refine_all(sets, model, data, params);
+  if (without_identity) {
+    std::erase_if(refined, [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; });
+  }
+  std::vector<Refined> told = refined;
+  std::erase_if(told, [&](const Refined& r) { return r.pairs.size() < least_pairs || !allowed(r.cloth.chirality, params.match.mirror); });
   std::vector<Match> matches;
-  for (const Refined& r : refined) {
-    const bool identity = without_identity && mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal;
-    if (identity || r.pairs.size() < least_pairs || !allowed(r.cloth.chirality, params.match.mirror)) continue;
+  for (const Refined& r : believed(std::move(told), model, data)) {
     if (static_cast<int>(matches.size()) == params.match.matches) break;
     matches.push_back(match_of(r, model));
     if (is_ambiguous(r, refined, model, data)) matches.back().handedness = Handedness::ambiguous;
