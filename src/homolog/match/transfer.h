@@ -62,7 +62,8 @@ InversePlace inverse_at(const ThinPlateSpline& f, const std::vector<Vec3>& image
 
 /// Median error to expect at a point, as a share of the matched extent: .184 sqrt((s + .02) (d + .01)). s = max |log(singular value of the
 /// gradient / scale)| is how far the map there is from the whole's similarity; d, a share too, how far the nearest image by another match
-/// lies: where two matches agree, both are likely right. Fitted to matches with known truth; docs/accuracy.md tells how it holds (bench/transfer.cpp).
+/// lies: where two matches agree, both are likely right. Fitted to matches with known truth; docs/accuracy.md tells how it holds
+/// (bench/transfer.cpp).
 double expected_error_share(const Mat3& gradient, double scale, double disagreement);
 
 }  // namespace homolog
