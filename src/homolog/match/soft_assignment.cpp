@@ -15,7 +15,8 @@ constexpr float farthest = 12;         // where the weight is nothing: e^-12
 // x becomes e^x, for x <= 0, to 2e-7: a power of two, and a polynomial for the rest.
 [[gnu::always_inline]] inline void exponentiate(SixteenFloats& x) {
   using Ints [[gnu::vector_size(64)]] = int;
-  const SixteenFloats t = (x < -80 ? x - x - 80 : x) * 1.44269504f;
+  const SixteenFloats lowest = SixteenFloats{} - 80;  // as good as nothing, and the power of two still normal
+  const SixteenFloats t = (x > lowest ? x : lowest) * 1.44269504f;
   const Ints whole = __builtin_convertvector(t - 0.5f, Ints);  // rounds, for t is negative
   const SixteenFloats f = t - __builtin_convertvector(whole, SixteenFloats);
   SixteenFloats power = 0.00015403530f * f + 0.0013333558f;
