@@ -147,6 +147,7 @@ class Surroundings(Program):
         os.chmod(self.path("locked"), 0o555)
         os.chmod(self.folder.name, 0o755)
         user = {"user": NOBODY} if os.geteuid() == 0 else {}
+        user["program"] = shutil.copy(PROGRAM, self.path("homolog"))  # the build may lie where nobody else may look
         done = self.run_it("points", "bear.off", "--out", "locked/out", **user)
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertRegex(done.stderr, r"\Ahomolog: cannot make the folder 'locked/out': Permission denied\n\Z")

@@ -19,9 +19,9 @@ class Program(unittest.TestCase):
         self.addCleanup(self.folder.cleanup)
         bear.write_all(self.folder.name)
 
-    def run_it(self, *words, **how):
+    def run_it(self, *words, program=PROGRAM, **how):
         how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
-        return subprocess.run([PROGRAM, *words], cwd=self.folder.name, text=True, timeout=300, **how)
+        return subprocess.run([program, *words], cwd=self.folder.name, text=True, timeout=300, **how)
 
     def path(self, *names):
         return os.path.join(self.folder.name, *names)
