@@ -37,13 +37,6 @@ nb::dict spline_fields(const ThinPlateSpline& spline) {
   return fields;
 }
 
-Matrix4 matrix_of(const Similarity& similarity) {
-  Matrix4 matrix = Matrix4::Identity();
-  matrix.topLeftCorner<3, 3>() = similarity.scale * similarity.rotation;
-  matrix.topRightCorner<3, 1>() = similarity.shift;
-  return matrix;
-}
-
 Pairs pairs_of(const CorrespondenceSet& set) {
   Pairs pairs(static_cast<Eigen::Index>(set.size()), 2);
   for (std::size_t i = 0; i < set.size(); ++i) pairs.row(static_cast<Eigen::Index>(i)) << set[i].model, set[i].data;
@@ -57,7 +50,7 @@ nb::dict match_fields(const Match& match, const MatchParts& parts, const MatchMa
   fields["model_points"] = places_of(model_positions(match.pairs));
   fields["data_points"] = places_of(data_positions(match.pairs));
   fields["data_from_model"] = spline_fields(match.data_from_model);
-  fields["similarity"] = matrix_of(match.similarity);
+  fields["similarity"] = Matrix4(match.similarity.matrix());
   fields["scale"] = match.similarity.scale;
   fields["handedness"] = handedness_name(match.handedness);
   fields["confidence"] = match.confidence;

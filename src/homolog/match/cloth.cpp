@@ -90,12 +90,6 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];
 }
 
-std::vector<SurfaceSample> skin_of(const Cloth& cloth, const Body& model) {
-  std::vector<SurfaceSample> skin;
-  for (std::size_t i = 0; i < model.surface_count; ++i) skin.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
-  return skin;
-}
-
 // Soft assignment draws every skin inwards from its ends and edges, even one that lies where it should. What it would do to the skin laid
 // on itself is given back, as in the Sinkhorn divergence (Feydy et al. 2019).
 Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach) {
@@ -164,6 +158,12 @@ Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chira
   return cloth;
 }
 
+std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model) {
+  std::vector<SurfaceSample> skin;
+  for (std::size_t i = 0; i < model.surface_count; ++i) skin.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
+  return skin;
+}
+
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
   const SampleBlocks samples = make_blocks(data);
@@ -176,7 +176,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     const double share = schedule.iterations == 1 ? 1 : static_cast<double>(step) / (schedule.iterations - 1);
     const double reach = data_diagonal * schedule.first_reach * std::pow(schedule.last_reach / schedule.first_reach, share);
     const double stiffness = schedule.first_stiffness * std::pow(schedule.last_stiffness / schedule.first_stiffness, share);
-    const Pull pull = unbiased_pull(skin_of(cloth, model), samples, reach);
+    const Pull pull = unbiased_pull(mapped_skin(cloth, model), samples, reach);
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass;
     solver.factorize(system);

@@ -37,6 +37,9 @@ struct ClothSchedule {
 /// Lays the body by the spline, without looking at the data.
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality);
 
+/// The body's surface samples where the cloth lays them.
+std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model);
+
 /// Draws the cloth on to the data's surface samples.
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule);

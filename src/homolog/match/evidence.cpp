@@ -25,12 +25,6 @@ struct Skin {
   double spacing;
 };
 
-struct MappedSkin {
-  std::vector<SurfaceSample> samples;
-  SampleBlocks blocks;
-  double spacing;
-};
-
 Nearest nearest(const SurfaceSample& sample, const Skin& skin) {
   const NearestSample found = nearest_sample(skin.blocks, sample.position);
   if (found.sample < 0) return {};
@@ -41,14 +35,6 @@ Nearest nearest(const SurfaceSample& sample, const Skin& skin) {
 bool reaches(const SurfaceSample& sample, const Skin& other, double reach) {
   const Nearest found = nearest(sample, other);
   return found.agrees && found.plane_distance < reach && found.distance < reach + other.spacing;
-}
-
-MappedSkin map_skin(const Cloth& cloth, const Body& model) {
-  MappedSkin skin;
-  for (std::size_t i = 0; i < model.surface_count; ++i) skin.samples.push_back({cloth.nodes[i], cloth.rotations[i] * model.normals[i]});
-  skin.spacing = typical_spacing(positions_of(skin.samples));
-  skin.blocks = make_blocks(skin.samples);
-  return skin;
 }
 
 // Within a flat face, as a cut leaves one?
@@ -119,9 +105,11 @@ double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
 
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   const double extent = extent_of(cloth, model, data), reach = reached_share * extent;
-  const MappedSkin mapped = map_skin(cloth, model.body);
-  const Skin cloth_skin{mapped.samples, mapped.blocks, mapped.spacing}, data_skin{data.surface, data.surface_blocks, data.surface_spacing};
-  if (cloth_skin.samples.empty() || data_skin.samples.empty()) return {};
+  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+  if (laid.empty() || data.surface.empty()) return {};
+  const SampleBlocks laid_blocks = make_blocks(laid);
+  const Skin cloth_skin{laid, laid_blocks, typical_spacing(positions_of(laid))};
+  const Skin data_skin{data.surface, data.surface_blocks, data.surface_spacing};
   const std::vector<int> reached = data_reached(data_skin, cloth_skin, reach);
   Evidence evidence;
   evidence.model_reached = model_reached(cloth_skin, data_skin, model.body, data.interior, reach);

@@ -68,7 +68,7 @@ bool same_part(const Refined& match, const Refined& other, const Shape& model, c
 // the first one.
 std::vector<Refined> believed(std::vector<Refined> all, const Shape& model, const Shape& data) {
   const auto lead = [](const Refined& a, const Refined& b) { return std::max(0.0, merit_of(a.evidence) - merit_of(b.evidence)); };
-  for (std::size_t i = all.size(); i-- > 0;) {
+  for (std::size_t i = 0; i < all.size(); ++i) {
     const auto better_end = all.begin() + static_cast<std::ptrdiff_t>(i);
     const auto rival = std::find_if(all.begin(), better_end, [&](const Refined& r) { return same_part(all[i], r, model, data); });
     if (rival != better_end) all[i].confidence *= std::exp(-rivalry * lead(*rival, all[i]));

@@ -2,7 +2,6 @@
 #include "homolog/match/refine.h"
 
 #include <algorithm>
-#include <limits>
 
 #include "homolog/match/evidence.h"
 #include "homolog/match/guided_pairs.h"

@@ -2,7 +2,6 @@
 #include "homolog/match/soft_assignment.h"
 
 #include <cmath>
-#include <vector>
 
 #include "homolog/base/widest_clone.h"
 

@@ -38,6 +38,13 @@ void store_weights(ThinPlateSpline& spline, const std::vector<Vec3>& sources, co
 
 double phi(Kernel kernel, double distance) { return kernel == Kernel::r ? distance : distance * distance * distance; }
 
+Mat4 Similarity::matrix() const {
+  Mat4 matrix = Mat4::Identity();
+  matrix.topLeftCorner<3, 3>() = scale * rotation;
+  matrix.topRightCorner<3, 1>() = shift;
+  return matrix;
+}
+
 Turn nearest_turn(const Mat3& covariance, Chirality chirality) {
   const Eigen::JacobiSVD<Mat3> svd(covariance, Eigen::ComputeFullU | Eigen::ComputeFullV);
   Vec3 D(1, 1, 1);

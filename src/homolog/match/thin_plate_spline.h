@@ -21,6 +21,7 @@ struct Similarity {
   Vec3 shift = Vec3::Zero();
 
   Vec3 operator()(const Vec3& x) const { return scale * (rotation * x) + shift; }
+  Mat4 matrix() const;  ///< of homogeneous columns
 };
 
 enum class Chirality { proper, mirrored };

@@ -28,13 +28,6 @@ ordered_json rows_to_json(const Matrix& matrix) {
   return rows;
 }
 
-Mat4 matrix_of(const Similarity& similarity) {
-  Mat4 matrix = Mat4::Identity();
-  matrix.topLeftCorner<3, 3>() = similarity.scale * similarity.rotation;
-  matrix.topRightCorner<3, 1>() = similarity.shift;
-  return matrix;
-}
-
 ordered_json to_json(const Params& params) {
   ordered_json object = ordered_json::object();
   for (const ParameterInfo& info : parameter_table()) {
@@ -78,7 +71,7 @@ ordered_json to_json(const Match& match) {
           {"confidence", match.confidence},
           {"handedness", handedness_name(match.handedness)},
           {"scale", match.similarity.scale},
-          {"data_from_model", rows_to_json(matrix_of(match.similarity))},
+          {"data_from_model", rows_to_json(match.similarity.matrix())},
           {"bending", match.bending},
           {"chamfer", match.chamfer},
           {"model_coverage", match.model_coverage},
