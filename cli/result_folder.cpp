@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <array>
+#include <cerrno>
 #include <csignal>
 #include <system_error>
 
@@ -48,6 +49,19 @@ class Locked {
   int folder_;
 };
 
+/// Throws unless the folder can be written into, or be made where it would lie. Nothing is tried out: what one process made for a trial and
+/// took away again could be what another one is about to use.
+void require_writable(const fs::path& path) {
+  std::error_code error;
+  fs::path there = fs::absolute(path);
+  while (!fs::exists(there, error) && !error) there = there.parent_path();
+  const bool exists = there == fs::absolute(path);
+  if (!error && !fs::is_directory(there)) error = std::make_error_code(std::errc::not_a_directory);
+  if (!error && access(there.c_str(), W_OK | X_OK) != 0) error = std::error_code(errno, std::generic_category());
+  if (error && !exists) throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), error.message()));
+  if (error) throw OutputError(fmt::format("cannot write into the folder '{}': {}", path.string(), error.message()));
+}
+
 /// Makes the folder and those above it; removes the ones it made, innermost first, unless it is told to keep them.
 class MadeFolders {
  public:
@@ -77,17 +91,7 @@ class MadeFolders {
 }  // namespace
 
 ResultFolder::ResultFolder(fs::path path) : path_(std::move(path)) {
-  if (path_.empty()) return;
-  const Uninterrupted uninterrupted;
-  const MadeFolders made(path_);
-  const fs::path probe = path_ / ".homolog-writable";
-  try {
-    write_file(probe, "");
-  } catch (const OutputError&) {
-    throw OutputError(fmt::format("cannot write into the folder '{}'", path_.string()));
-  }
-  std::error_code ignored;
-  fs::remove(probe, ignored);
+  if (!path_.empty()) require_writable(path_);
 }
 
 void ResultFolder::write(const std::vector<std::pair<std::string, std::string>>& files) const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder of --out: tried before the long computation, filled whole or not at all.
+// The folder of --out: asked for before the long computation, filled whole or not at all.
 #pragma once
 
 #include <filesystem>
@@ -11,8 +11,8 @@ namespace homolog::cli {
 
 class ResultFolder {
  public:
-  /// Tries to make the folder and to write there, and leaves nothing of it, so that neither a failure nor Ctrl-C leaves an empty folder;
-  /// an empty path means that no files are wanted. Throws OutputError.
+  /// Asks whether the folder can be made and written into, and touches nothing, so that neither a failure nor Ctrl-C leaves an empty
+  /// folder; an empty path means that no files are wanted. Throws OutputError.
   explicit ResultFolder(std::filesystem::path path);
 
   bool wanted() const { return !path_.empty(); }

@@ -152,7 +152,7 @@ class Surroundings(Program):
         self.assertEqual(done.returncode, 4, done.stderr)
         self.assertRegex(done.stderr, r"\Ahomolog: cannot make the folder 'locked/out': Permission denied\n\Z")
         done = self.run_it("points", "bear.off", "--out", "locked", **user)
-        self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked'\n"))
+        self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied\n"))
 
     def test_whenever_it_is_killed_results_are_whole(self):
         words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
