@@ -36,6 +36,24 @@ TEST(LocalMap, IsTheLimitOfDifferences) {
   }
 }
 
+TEST(LocalMaps, AreWhatEachAloneIsToTheLastBit) {
+  const std::vector<Vec3> sources = some_points();
+  const SourceSystem system(sources, std::vector<double>(sources.size(), 0.01));
+  const ThinPlateSpline splines[] = {ThinPlateSpline::similarity_free(system, moved(sources), Chirality::proper),
+                                     ThinPlateSpline::affine_free(sources, moved(sources))};
+  std::vector<Vec3> places = moved(sources);
+  places.push_back(sources[2]);
+  for (const ThinPlateSpline& spline : splines) {
+    const std::vector<LocalMap> maps = local_maps(spline, places);
+    ASSERT_EQ(maps.size(), places.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      EXPECT_EQ(maps[i].position, local_map(spline, places[i]).position);
+      EXPECT_EQ(maps[i].gradient, local_map(spline, places[i]).gradient);
+    }
+  }
+  EXPECT_TRUE(local_maps(splines[0], {}).empty());
+}
+
 TEST(MappedNormal, StaysAcrossTheSurfaceAndOutward) {
   Mat3 stretch = Vec3(3, 1, 0.5).asDiagonal();
   const Mat3 gradients[] = {fixtures::random_rotation(3) * stretch, fixtures::random_rotation(4) * fixtures::mirror_x() * stretch};

@@ -42,6 +42,7 @@ TEST(NearestSurface, AgreesWithLookingAtEveryTriangle) {
     EXPECT_NEAR(place->distance, least, 1e-12);
     EXPECT_NEAR((place->position - x).norm(), least, 1e-12);
     EXPECT_FALSE(surface.nearest(x, Vec3::Zero(), 0.99 * least));
+    EXPECT_EQ(surface.nearest(x, Vec3::Zero(), 100, 7 * i)->distance, place->distance) << "wherever it is looked first";
   }
 }
 

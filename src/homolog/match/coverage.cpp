@@ -12,6 +12,8 @@
 namespace homolog {
 namespace {
 
+constexpr std::size_t run = 128;  // vertices that follow each other are mostly neighbours: the last answer is a good guess
+
 /// Places with their outward normals.
 struct Places {
   std::vector<Vec3> positions, normals;
@@ -46,12 +48,11 @@ bool in_use(const Side& side, const Vec3& x) {
 }
 
 Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
-  Places result{std::vector<Vec3>(places.positions.size()), std::vector<Vec3>(places.positions.size())};
-  parallel_for(places.positions.size(), [&](std::size_t i) {
-    const LocalMap local = local_map(data_from_model, places.positions[i]);
-    result.positions[i] = local.position;
-    result.normals[i] = mapped_normal(local.gradient, places.normals[i]);
-  });
+  Places result;
+  for (const LocalMap& local : local_maps(data_from_model, places.positions)) {
+    result.normals.push_back(mapped_normal(local.gradient, places.normals[result.positions.size()]));
+    result.positions.push_back(local.position);
+  }
   return result;
 }
 
@@ -66,14 +67,19 @@ struct Tolerance {
 std::vector<float> weigh(const Places& places, const std::vector<Vec3>& home, const Side& side, const NearestSurface& other,
                          const Side& other_side, const Tolerance& tolerance) {
   std::vector<float> weights(places.positions.size(), 0);
-  parallel_for(weights.size(), [&](std::size_t i) {
-    if (!in_use(side, home[i])) return;
-    const Vec3 &x = places.positions[i], &normal = places.normals[i];
-    const auto place = other.nearest(x, normal, 2.5 * tolerance.reach);
-    if (!place || !in_use(other_side, other.between(*place, other_side.vertices.positions))) return;
-    const double along = std::abs((place->position - x).dot(normal));
-    const double beside = (place->position - x - (place->position - x).dot(normal) * normal).norm();
-    weights[i] = static_cast<float>(fade(along / tolerance.reach, 1, 2) * fade(beside / (tolerance.voxel + along / 2), 0.5, 1.5));
+  parallel_for((weights.size() + run - 1) / run, [&](std::size_t block) {
+    std::uint32_t likely = 0;
+    for (std::size_t i = run * block; i < std::min(weights.size(), run * (block + 1)); ++i) {
+      if (!in_use(side, home[i])) continue;
+      const Vec3 &x = places.positions[i], &normal = places.normals[i];
+      const auto place = other.nearest(x, normal, 2.5 * tolerance.reach, likely);
+      if (!place) continue;
+      likely = place->triangle;
+      if (!in_use(other_side, other.between(*place, other_side.vertices.positions))) continue;
+      const double along = std::abs((place->position - x).dot(normal));
+      const double beside = (place->position - x - (place->position - x).dot(normal) * normal).norm();
+      weights[i] = static_cast<float>(fade(along / tolerance.reach, 1, 2) * fade(beside / (tolerance.voxel + along / 2), 0.5, 1.5));
+    }
   });
   return weights;
 }

@@ -23,28 +23,33 @@ constexpr float farthest = 12;         // where the weight is nothing: e^-12
   x = power * reinterpret_cast<SixteenFloats>((whole + 127) << 23);
 }
 
-// A place of the skin as the blocks see it, and which of them are near.
+// A place of the skin as the blocks see it.
 struct Place {
   Eigen::Vector3f y, n;
-  std::vector<int> near;
-  std::vector<float> weights;  // sixteen for each near block
 };
 
-Place place_among(const SurfaceSample& skin, const SampleBlocks& data, float limit) {
-  Place place{(skin.position - data.middle).cast<float>(), skin.normal.cast<float>(), {}, {}};
+// Which blocks are near every place, place after place, and sixteen weights for each.
+struct Weights {
+  std::vector<std::size_t> first{0};
+  std::vector<int> block;
+  std::vector<float> weight;
+};
+
+void add_near_blocks(const Place& place, const SampleBlocks& data, float limit, Weights& weights) {
   for (int b = 0; b < static_cast<int>(data.blocks.size()); ++b) {
     const float passed = limit + data.blocks[b].radius;
-    if ((data.blocks[b].centre - place.y).squaredNorm() <= passed * passed) place.near.push_back(b);
+    if ((data.blocks[b].centre - place.y).squaredNorm() <= passed * passed) weights.block.push_back(b);
   }
-  place.weights.resize(place.near.size() * block_size);
-  return place;
+  weights.first.push_back(weights.block.size());
+  weights.weight.resize(weights.block.size() * block_size);
 }
 
-// The weights, added to the sums of the samples (sixteen a block) and to sixteen sums of the place.
-HOMOLOG_WIDEST_CLONE void weigh(Place& place, const SampleBlock* blocks, float inverse, float nothing, float* sample_sums, float* sums) {
+// The weights of place i, added to the sums of the samples (sixteen a block) and to sixteen sums of the place.
+HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleBlock* blocks, float inverse, float nothing,
+                                Weights& weights, float* sample_sums, float* sums) {
   const SixteenFloats zero = {};
-  for (std::size_t b = 0; b < place.near.size(); ++b) {
-    const SampleBlock& block = blocks[place.near[b]];
+  for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
+    const SampleBlock& block = blocks[weights.block[b]];
     const SixteenFloats x = sixteen(block.x.data()) - place.y.x(), y = sixteen(block.y.data()) - place.y.y();
     const SixteenFloats z = sixteen(block.z.data()) - place.y.z();
     SixteenFloats nearness = -inverse * (x * x + y * y + z * z);
@@ -53,23 +58,26 @@ HOMOLOG_WIDEST_CLONE void weigh(Place& place, const SampleBlock* blocks, float i
     const SixteenFloats agreement =
         sixteen(block.nx.data()) * place.n.x() + sixteen(block.ny.data()) * place.n.y() + sixteen(block.nz.data()) * place.n.z();
     const SixteenFloats weight = (nearness > 0 ? nearness : zero) * (agreement > 0 ? agreement * agreement : zero);
-    sixteen(place.weights.data() + b * block_size) = weight;
-    sixteen(sample_sums + place.near[b] * block_size) += weight;
+    sixteen(weights.weight.data() + b * block_size) = weight;
+    sixteen(sample_sums + weights.block[b] * block_size) += weight;
     sixteen(sums) += weight;
   }
 }
 
-// The samples weighted as place and samples share them, added to four times sixteen sums: x, y, z and mass.
-HOMOLOG_WIDEST_CLONE void add_up(const Place& place, const SampleBlock* blocks, float by_place, const float* by_sample, float* sums) {
-  for (std::size_t b = 0; b < place.near.size(); ++b) {
-    const SampleBlock& block = blocks[place.near[b]];
+// The samples weighted as place i and samples share them, added to four times sixteen sums: x, y, z and mass.
+HOMOLOG_WIDEST_CLONE void add_up(std::size_t i, const SampleBlock* blocks, const Weights& weights, float by_place, const float* by_sample,
+                                 float* sums) {
+  SixteenFloats total[4] = {};
+  for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
+    const SampleBlock& block = blocks[weights.block[b]];
     const SixteenFloats share =
-        sixteen(place.weights.data() + b * block_size) * (sixteen(by_sample + place.near[b] * block_size) + by_place);
-    sixteen(sums) += share * sixteen(block.x.data());
-    sixteen(sums + block_size) += share * sixteen(block.y.data());
-    sixteen(sums + 2 * block_size) += share * sixteen(block.z.data());
-    sixteen(sums + 3 * block_size) += share;
+        sixteen(weights.weight.data() + b * block_size) * (sixteen(by_sample + weights.block[b] * block_size) + by_place);
+    total[0] += share * sixteen(block.x.data());
+    total[1] += share * sixteen(block.y.data());
+    total[2] += share * sixteen(block.z.data());
+    total[3] += share;
   }
+  for (int k = 0; k < 4; ++k) sixteen(sums + k * block_size) = total[k];
 }
 
 // One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
@@ -81,18 +89,20 @@ Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& d
   const auto inverse = static_cast<float>(0.5 / (reach * reach));
   const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
   std::vector<Place> places;
+  Weights weights;
   Eigen::ArrayXf place_sums(skin.size()), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    places.push_back(place_among(skin[i], data, limit));
+    places.push_back({(skin[i].position - data.middle).cast<float>(), skin[i].normal.cast<float>()});
+    add_near_blocks(places[i], data, limit, weights);
     BlockFloats sums = BlockFloats::Zero();
-    weigh(places[i], data.blocks.data(), inverse, nothing, sample_sums.data(), sums.data());
+    weigh(places[i], i, data.blocks.data(), inverse, nothing, weights, sample_sums.data(), sums.data());
     place_sums[i] = sums.sum();
   }
   const Eigen::ArrayXf by_place = half_over(place_sums), by_sample = half_over(sample_sums);
   Pull pull{std::vector<Vec3>(skin.size(), Vec3::Zero()), std::vector<double>(skin.size(), 0)};
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    Eigen::Array<float, block_size, 4> sums = Eigen::Array<float, block_size, 4>::Zero();
-    add_up(places[i], data.blocks.data(), by_place[i], by_sample.data(), sums.data());
+    Eigen::Array<float, block_size, 4> sums;
+    add_up(i, data.blocks.data(), weights, by_place[i], by_sample.data(), sums.data());
     const Eigen::Array4f total = sums.colwise().sum();
     pull.masses[i] = total[3];
     if (total[3] > 1e-9f) pull.places[i] = data.middle + (total.head<3>() / total[3]).matrix().cast<double>();

@@ -89,13 +89,14 @@ void NearestSurface::look(std::uint32_t triangle, const Vec3& x, const Vec3& nor
   if (own.dot(normal) >= least_agreement * own.norm() * normal.norm()) best = place;
 }
 
-std::optional<SurfacePlace> NearestSurface::nearest(const Vec3& x, const Vec3& normal, double reach) const {
+std::optional<SurfacePlace> NearestSurface::nearest(const Vec3& x, const Vec3& normal, double reach, std::uint32_t likely) const {
+  if (nodes_.empty()) return std::nullopt;
   SurfacePlace best;
   best.distance = reach;
-  std::array<std::uint32_t, 64> open;  // halving leaves at most 32 levels
-  std::size_t count = 0;
-  if (!nodes_.empty()) open[count++] = 0;
-  bool found = false;
+  look(likely, x, normal, best);
+  bool found = best.distance < reach;
+  std::array<std::uint32_t, 64> open{};  // halving leaves at most 32 levels
+  std::size_t count = 1;
   while (count > 0) {
     const std::uint32_t number = open[--count];
     const Node& node = nodes_[number];
