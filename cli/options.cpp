@@ -18,15 +18,6 @@ std::string flag_help(const ParameterInfo& info) {
 /// A forgotten shell variable must not mean "no files, please".
 std::string folder_name(const std::string& text) { return text.empty() ? "the folder has no name" : ""; }
 
-int parse_threads(const std::string& text) {
-  int threads = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-  if (error != std::errc() || end != text.data() + text.size() || threads < 0 || threads > 1024) {
-    throw UsageError(fmt::format("--threads is '{}', but must be a whole number from 0 (all cores) to 1024", text));
-  }
-  return threads;
-}
-
 }  // namespace
 
 std::string range_text(const ParameterInfo& info) {
@@ -40,12 +31,29 @@ void add_preset_option(CLI::App& verb, ParameterOptions& options) {
   verb.add_option("--preset", options.preset, "Start from these parameters: default, or paper for the paper's choices.")->type_name("NAME");
 }
 
+int parse_threads(const std::string& text) {
+  int threads = -1;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
+  if (error != std::errc() || end != text.data() + text.size() || threads < 0 || threads > 1024) {
+    throw UsageError(fmt::format("--threads is '{}', but must be a whole number from 0 (all cores) to 1024", text));
+  }
+  return threads;
+}
+
+CLI::Option* add_out_option(CLI::App& verb, std::string& out) {
+  return verb.add_option("--out", out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
+}
+
+void add_threads_option(CLI::App& verb, std::string& threads) {
+  verb.add_option("--threads", threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
+}
+
 void add_common_options(CLI::App& verb, CommonOptions& options) {
-  verb.add_option("--out", options.out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
+  add_out_option(verb, options.out);
   verb.add_flag("--json", options.json, "Print the result as JSON instead of a table.");
   verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
   verb.add_flag("--timing", options.timing, "Tell on stderr what each stage took and held.");
-  verb.add_option("--threads", options.threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
+  add_threads_option(verb, options.threads);
   add_limit_options(verb, options.limits);
   add_preset_option(verb, options.parameters);
   for (const ParameterInfo& info : parameter_table()) {

@@ -27,10 +27,15 @@ struct CommonOptions {
 /// --preset alone, and with one flag per parameter.
 void add_preset_option(CLI::App& verb, ParameterOptions& options);
 void add_common_options(CLI::App& verb, CommonOptions& options);
+CLI::Option* add_out_option(CLI::App& verb, std::string& out);
+void add_threads_option(CLI::App& verb, std::string& threads);
 
 /// The preset with every given flag on top, wherever they stand. Throws ParamError or UsageError.
 Params params_of(const ParameterOptions& options);
 Params params_of(const CommonOptions& options);
+
+/// The value of --threads. Throws UsageError.
+int parse_threads(const std::string& text);
 
 /// The range of a parameter in words: "32 to 1024", "allow, forbid or only".
 std::string range_text(const ParameterInfo& info);

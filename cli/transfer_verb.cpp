@@ -8,18 +8,18 @@
 #include "exit_codes.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/carried.h"
-#include "homolog/outputs/read_match.h"
 #include "homolog/outputs/read_points.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_mesh.h"
+#include "stored_match.h"
 #include "verbs.h"
 
 namespace homolog::cli {
 namespace {
 
 struct TransferOptions {
-  std::string match, points, mesh, out;
-  int number = 1;
+  StoredMatchOptions match;
+  std::string points, mesh, out;
   bool inverse = false, quiet = false;
 };
 
@@ -49,14 +49,6 @@ Kind kind_of(const std::string& out, bool mesh) {
   if (extension == ".csv") return Kind::csv;
   if (extension == ".json") return Kind::markups;
   throw UsageError(fmt::format("points are written as .csv or .mrk.json, not as '{}'", out));
-}
-
-MatchMap chosen_match(StoredFamily& family, const TransferOptions& options) {
-  const auto count = static_cast<int>(family.matches.size());
-  if (options.number > count) {
-    throw UsageError(fmt::format("--match is {}, but {} holds {} match{}", options.number, options.match, count, count == 1 ? "" : "es"));
-  }
-  return std::move(family.matches[static_cast<std::size_t>(options.number - 1)]);
 }
 
 std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
@@ -98,13 +90,13 @@ int run_transfer(const TransferOptions& options) {
   const Kind kind = kind_of(options.out, !options.mesh.empty());
   Console console(options.quiet, false);
   console.stage("reading the match");
-  StoredFamily family = read_family(options.match);
+  const StoredFamily family = read_family(options.match.file);
   if (family.matches.empty()) {
-    print_message(fmt::format("nothing found: {} holds no match", options.match));
+    print_message(fmt::format("nothing found: {} holds no match", options.match.file));
     return kNothingFound;
   }
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
-  const MatchMap match = chosen_match(family, options);
+  const MatchMap& match = chosen_match(family, options.match);
   console.stage("carrying");
   const Carried carried = carry_file(match, options, kind);
   write_file(options.out, carried.text);
@@ -114,8 +106,8 @@ int run_transfer(const TransferOptions& options) {
   print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part\n", carried.there, carried.all,
                            kind == Kind::ply ? "vertices" : "points", from, to, carried.all - carried.there));
   if (carried.there > 0) return kFound;
-  print_message(
-      fmt::format("nothing found: no point lies in the part that match {} covers; are the points those of {}?", options.number, from));
+  print_message(fmt::format("nothing found: no point lies in the part that match {} covers; are the points those of {}?",
+                            options.match.number, from));
   return kNothingFound;
 }
 
@@ -124,12 +116,11 @@ int run_transfer(const TransferOptions& options) {
 Verb add_transfer(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("transfer", "Carry points or a mesh from the model to the data by a match found before.");
   const auto options = std::make_shared<TransferOptions>();
-  verb->add_option("MATCH", options->match, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
+  add_stored_match_options(*verb, options->match);
   verb->add_option("--points", options->points, "Points to carry: .csv with the columns x, y, z (and label), or .mrk.json.")
       ->type_name("FILE");
   verb->add_option("--mesh", options->mesh, "A mesh to carry, in the coordinates of the model.")->type_name("FILE");
   verb->add_option("--out", options->out, "Where to write: .csv or .mrk.json for points, .ply for a mesh.")->type_name("FILE")->required();
-  verb->add_option("--match", options->number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
   verb->add_flag("--inverse", options->inverse, "Carry from the data to the model.");
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
   verb->footer(kExamples);

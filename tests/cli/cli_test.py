@@ -41,7 +41,7 @@ class Usage(Program):
         self.expect_message(2, "did you mean '--resolution'", "match", "bear.off", "bear.off", "--resolutoin", "64")
         self.expect_message(2, "did you mean '--mirror'", "match", "--miror=only", "bear.off")
         self.expect_message(2, "unknown option '--frobnicate'", "points", "bear.off", "--frobnicate")
-        self.expect_message(2, "match, symmetry, points, transfer or params")
+        self.expect_message(2, "match, symmetry, points, transfer, dense or params")
         self.expect_message(2, "MODEL is required", "match")
         self.expect_message(2, "DATA", "match", "bear.off")
         self.expect_message(2, "--self", "match", "bear.off", "bear.off", "--self")

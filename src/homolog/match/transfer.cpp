@@ -17,26 +17,6 @@ constexpr std::size_t most_rivals = 3;
 constexpr double on_body = 0.1, off_body = 0.2;  // diagonals from the surface between which a point stops to belong to the shape
 constexpr double usual_disagreement = 0.042;     // extents; the median where there are other matches, for where there are none
 
-/// Mean weight of the nearest samples, by inverse square distance.
-double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x) {
-  std::vector<std::pair<double, float>> nearest(std::min(neighbours, samples.positions.size()) + 1,
-                                                {std::numeric_limits<double>::infinity(), 0.0f});
-  for (std::size_t i = 0; i < samples.positions.size(); ++i) {
-    const double square = (samples.positions[i] - x).squaredNorm();
-    if (square >= nearest[nearest.size() - 2].first) continue;
-    nearest.back() = {square, samples.weights[i]};
-    for (std::size_t k = nearest.size() - 1; k > 0 && nearest[k].first < nearest[k - 1].first; --k) std::swap(nearest[k], nearest[k - 1]);
-  }
-  nearest.pop_back();
-  const double tiny = 1e-18 * diagonal * diagonal;
-  double sum = 0, total = 0;
-  for (const auto& [square, weight] : nearest) {
-    sum += weight / (square + tiny);
-    total += 1 / (square + tiny);
-  }
-  return sum / total * fade(std::sqrt(nearest.front().first) / diagonal, on_body, off_body);
-}
-
 /// Where the nearest image of a centre says that y comes from, were the map a similarity of this scale near it.
 Vec3 first_guess(const ThinPlateSpline& f, const std::vector<Vec3>& images, double scale, const Vec3& y) {
   const Mat3 linear = f.affine.leftCols<3>();
@@ -46,14 +26,17 @@ Vec3 first_guess(const ThinPlateSpline& f, const std::vector<Vec3>& images, doub
   return f.centres[static_cast<std::size_t>(image - images.begin())] + linear.transpose() * (y - *image) / (scale * scale);
 }
 
-/// Distance from the image of x to its nearest image by another match.
-double disagreement_at(const MatchMap& match, const Vec3& x, const Vec3& image, double extent) {
-  double least = usual_disagreement * extent;
-  for (std::size_t i = 0; i < match.rivals.size(); ++i) {
-    const double distance = (match.rivals[i](x) - image).norm();
-    least = i == 0 ? distance : std::min(least, distance);
+/// Distances from the images of places to their nearest images by another match, in extents.
+std::vector<double> disagreements(const MatchMap& match, const std::vector<Vec3>& places, const std::vector<LocalMap>& images,
+                                  double extent) {
+  std::vector<double> least(places.size(), match.rivals.empty() ? usual_disagreement : std::numeric_limits<double>::infinity());
+  for (const ThinPlateSpline& rival : match.rivals) {
+    const std::vector<LocalMap> others = local_maps(rival, places);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      least[i] = std::min(least[i], (others[i].position - images[i].position).norm() / extent);
+    }
   }
-  return least / extent;
+  return least;
 }
 
 }  // namespace
@@ -92,6 +75,25 @@ double expected_error_share(const Mat3& gradient, double scale, double disagreem
   return 0.184 * std::sqrt((farthest + 0.02) * (disagreement + 0.01));
 }
 
+double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x) {
+  std::vector<std::pair<double, float>> nearest(std::min(neighbours, samples.positions.size()) + 1,
+                                                {std::numeric_limits<double>::infinity(), 0.0f});
+  for (std::size_t i = 0; i < samples.positions.size(); ++i) {
+    const double square = (samples.positions[i] - x).squaredNorm();
+    if (square >= nearest[nearest.size() - 2].first) continue;
+    nearest.back() = {square, samples.weights[i]};
+    for (std::size_t k = nearest.size() - 1; k > 0 && nearest[k].first < nearest[k - 1].first; --k) std::swap(nearest[k], nearest[k - 1]);
+  }
+  nearest.pop_back();
+  const double tiny = 1e-18 * diagonal * diagonal;
+  double sum = 0, total = 0;
+  for (const auto& [square, weight] : nearest) {
+    sum += weight / (square + tiny);
+    total += 1 / (square + tiny);
+  }
+  return sum / total * fade(std::sqrt(nearest.front().first) / diagonal, on_body, off_body);
+}
+
 std::vector<Vec3> images_of_centres(const ThinPlateSpline& f) {
   std::vector<Vec3> images;
   for (const Vec3& centre : f.centres) images.push_back(f(centre));
@@ -126,16 +128,21 @@ std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<
   const double extent = matched_extent(match.model_diagonal, match.scale, match.data_diagonal);
   const std::vector<Vec3> images = forwards ? std::vector<Vec3>{} : images_of_centres(match.data_from_model);
   std::vector<CarriedPoint> carried(points.size());
+  std::vector<Vec3> homes = points;
   parallel_for(points.size(), [&](std::size_t i) {
-    CarriedPoint& point = carried[i];
-    if (!samples.positions.empty()) point.coverage = coverage_at(samples, diagonal, points[i]);
-    const InversePlace home = forwards ? InversePlace{points[i], true} : inverse_at(match.data_from_model, images, match.scale, points[i]);
-    const LocalMap local = local_map(match.data_from_model, home.position);
-    point.exact = home.exact;
-    const double disagreement = disagreement_at(match, home.position, local.position, extent);
-    point.expected_error = (forwards ? extent : extent / match.scale) * expected_error_share(local.gradient, match.scale, disagreement);
-    point.position = forwards ? local.position : home.position;
+    if (!samples.positions.empty()) carried[i].coverage = coverage_at(samples, diagonal, points[i]);
+    if (forwards) return;
+    const InversePlace home = inverse_at(match.data_from_model, images, match.scale, points[i]);
+    homes[i] = home.position;
+    carried[i].exact = home.exact;
   });
+  const std::vector<LocalMap> local = local_maps(match.data_from_model, homes);
+  const std::vector<double> disagreement = disagreements(match, homes, local, extent);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    carried[i].expected_error =
+        (forwards ? extent : extent / match.scale) * expected_error_share(local[i].gradient, match.scale, disagreement[i]);
+    carried[i].position = forwards ? local[i].position : homes[i];
+  }
   return carried;
 }
 

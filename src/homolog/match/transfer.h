@@ -43,10 +43,13 @@ struct CarriedPoint {
   bool is_there() const { return exact && coverage.value_or(1) >= 0.5; }
 };
 
-/// Carries points, on the surface or off it. Coverage is that of the nearest samples, fading from .1 to .2 diagonals away from the surface.
-/// Backwards it is the inverse of the same map (Newton's method), so that points come back to
+/// Carries points, on the surface or off it. Backwards it is the inverse of the same map (Newton's method), so that points come back to
 /// where they were.
 std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<Vec3>& points, Direction direction);
+
+/// How surely x belongs to the covered part: the mean weight of the nearest samples by inverse square distance, fading from .1 to .2
+/// diagonals away from them. Needs at least one sample.
+double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x);
 
 struct InversePlace {
   Vec3 position;

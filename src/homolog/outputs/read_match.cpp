@@ -52,7 +52,7 @@ ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
 
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   check_format(json, "homolog-match", file);
-  StoredFamily family{json.at("model").at("file"), json.at("data").at("file"), {}, false};
+  StoredFamily family{json.at("model").at("file"), json.at("data").at("file"), {}};
   for (const ordered_json& item : json.at("matches")) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
@@ -83,6 +83,8 @@ void add_parts(const ordered_json& json, const std::string& file, StoredFamily& 
     family.matches[i].model = read_samples(model, matches[i].at("model"), file);
     family.matches[i].data = read_samples(data, matches[i].at("data"), file);
   }
+  family.model_vertices = model.at("vertices");
+  family.data_vertices = data.at("vertices");
   family.parts_known = true;
 }
 

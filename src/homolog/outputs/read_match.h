@@ -13,8 +13,9 @@ namespace homolog {
 
 struct StoredFamily {
   std::string model_file, data_file;
-  std::vector<MatchMap> matches;  ///< best first
-  bool parts_known = false;       ///< parts.json stands beside it: the matches carry samples
+  std::vector<MatchMap> matches;                      ///< best first
+  bool parts_known = false;                           ///< parts.json stands beside it: the matches carry samples
+  std::size_t model_vertices = 0, data_vertices = 0;  ///< of the meshes that were matched; known if the parts are
 };
 
 /// The bytes of a file, and its name for messages.

@@ -9,10 +9,12 @@
 
 namespace homolog {
 
-std::vector<Vec3> vertex_normals(const Mesh& mesh) {
+std::vector<Vec3> vertex_normals(const Mesh& mesh) { return oriented_normals({mesh.vertices, orient(mesh).triangles}); }
+
+std::vector<Vec3> oriented_normals(const Mesh& mesh) {
   const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
   std::vector<Vec3> normals(mesh.vertices.size(), Vec3::Zero());
-  for (const auto& triangle : orient(mesh).triangles) {
+  for (const auto& triangle : mesh.triangles) {
     for (int k = 0; k < 3; ++k) {
       const Vec3& corner = mesh.vertices[triangle[k]];
       const Vec3 a = mesh.vertices[triangle[(k + 1) % 3]] - corner, b = mesh.vertices[triangle[(k + 2) % 3]] - corner;

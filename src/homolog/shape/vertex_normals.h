@@ -13,4 +13,7 @@ namespace homolog {
 /// normal; a vertex without triangles has a zero one.
 std::vector<Vec3> vertex_normals(const Mesh& mesh);
 
+/// The same for triangles that are oriented already.
+std::vector<Vec3> oriented_normals(const Mesh& mesh);
+
 }  // namespace homolog

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+// homolog dense MATCH: for every vertex of either mesh its place on the other one, by a match found before.
+#include <fmt/format.h>
+
+#include <memory>
+
+#include "console.h"
+#include "exit_codes.h"
+#include "homolog/base/parallel.h"
+#include "homolog/outputs/dense_files.h"
+#include "options.h"
+#include "result_folder.h"
+#include "stored_match.h"
+#include "verbs.h"
+
+namespace homolog::cli {
+namespace {
+
+struct DenseOptions {
+  StoredMatchOptions match;
+  std::string model, data, out, threads = "0";
+  bool quiet = false;
+};
+
+constexpr const char* kExamples = R"(Examples:
+  # Find one bear in the other, then every vertex of each on the other
+  homolog match bear.off bear_bis.off --out bears
+  homolog dense bears/match.json --out bears/dense
+  # The second-best match
+  homolog dense bears/match.json --match 2 --out second
+  # A match of which nothing but match.json was kept: name the two meshes
+  homolog dense match.json --model bear.off --data bear_bis.off --out dense
+
+Written into the folder:
+  data_from_model.csv   for every vertex of the model its place on the data: triangle, barycentric coordinates, x, y, z, confidence
+  model_from_data.csv   for every vertex of the data its place on the model
+  model.dense.ply       the model, coloured by position, with the places and the confidence (quality) as properties
+  data.dense.ply        the data with the model's colours at the places: the same place has the same colour in both
+  dense.json            how many vertices have a place, how many edges were torn, how many triangles are folded over
+Rows of a vertex without a place, outside the covered part, are empty but for its number. Vertices and triangles are numbered from 0.)";
+
+std::string told(const char* name, const std::string& from, const std::string& to, const DenseMap& map) {
+  return fmt::format("{}: {} of {} vertices of {} have a place on {}; {} of {} triangles folded over, {} edges torn\n", name, map.placed,
+                     map.places.size(), from, to, map.folded, map.triangles, map.torn);
+}
+
+void write_maps(const ResultFolder& folder, const StoredFamily& family, int match, const Mesh& model, const Mesh& data,
+                const DenseMaps& maps) {
+  const std::vector<Colour> colours = position_colours(model);
+  folder.write({{"data_from_model.csv", dense_csv(maps.data_from_model)},
+                {"model_from_data.csv", dense_csv(maps.model_from_data)},
+                {"model.dense.ply", dense_ply(model, maps.data_from_model, colours)},
+                {"data.dense.ply", dense_ply(data, maps.model_from_data, carried_colours(maps.model_from_data, model, colours))},
+                {"dense.json", dense_json(family, match, maps)}});
+}
+
+int run_dense(const DenseOptions& options) {
+  const ResultFolder folder(options.out);
+  const ThreadLimit limit(parse_threads(options.threads));
+  Console console(options.quiet, false);
+  console.stage("reading the match");
+  const StoredFamily family = read_family(options.match.file);
+  if (family.matches.empty()) {
+    print_message(fmt::format("nothing found: {} holds no match", options.match.file));
+    return kNothingFound;
+  }
+  const MatchMap& match = chosen_match(family, options.match);
+  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model_vertices);
+  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data_vertices);
+  if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
+  console.stage("laying the meshes onto each other");
+  const DenseMaps maps = dense_maps(match, model, data);
+  console.stage("writing results");
+  write_maps(folder, family, options.match.number, model, data, maps);
+  console.clear();
+  print_result(told("data_from_model", family.model_file, family.data_file, maps.data_from_model) +
+               told("model_from_data", family.data_file, family.model_file, maps.model_from_data));
+  if (maps.data_from_model.placed > 0) return kFound;
+  print_message("nothing found: no vertex has a place; are the meshes those that were matched?");
+  return kNothingFound;
+}
+
+}  // namespace
+
+Verb add_dense(CLI::App& program) {
+  CLI::App* verb = program.add_subcommand("dense", "Find the place of every vertex on the other mesh by a match found before.");
+  const auto options = std::make_shared<DenseOptions>();
+  add_stored_match_options(*verb, options->match);
+  add_out_option(*verb, options->out)->required();
+  verb->add_option("--model", options->model, "The model that was matched; else the one beside MATCH.")->type_name("FILE");
+  verb->add_option("--data", options->data, "The data that was matched; else the one beside MATCH.")->type_name("FILE");
+  add_threads_option(*verb, options->threads);
+  verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
+  verb->footer(kExamples);
+  return {verb, [options] { return run_dense(*options); }};
+}
+
+}  // namespace homolog::cli

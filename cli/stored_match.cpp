@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "stored_match.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "exit_codes.h"
+#include "homolog/base/errors.h"
+#include "homolog/shape/read_mesh.h"
+
+namespace homolog::cli {
+
+void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options) {
+  verb.add_option("MATCH", options.file, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
+  verb.add_option("--match", options.number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
+}
+
+const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options) {
+  const auto count = static_cast<int>(family.matches.size());
+  if (options.number > count) {
+    throw UsageError(fmt::format("--match is {}, but {} holds {} match{}", options.number, options.file, count, count == 1 ? "" : "es"));
+  }
+  return family.matches[static_cast<std::size_t>(options.number - 1)];
+}
+
+Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const char* beside, std::size_t vertices) {
+  const std::filesystem::path path =
+      given.empty() ? std::filesystem::path(options.file).parent_path() / beside : std::filesystem::path(given);
+  if (given.empty() && !std::filesystem::exists(path)) {
+    throw FileError(fmt::format("{}: this mesh does not stand beside the match; name the meshes that were matched by --model and --data",
+                                path.string()));
+  }
+  Mesh mesh = read_mesh(path);
+  if (vertices == 0 || mesh.vertices.size() == vertices) return mesh;
+  throw FileError(fmt::format("{}: it has {} vertices, but the mesh that was matched had {}; name that one", path.string(),
+                              mesh.vertices.size(), vertices));
+}
+
+}  // namespace homolog::cli

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// A match found before, and the two meshes that it lies between.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+#include "homolog/outputs/read_match.h"
+#include "homolog/shape/mesh.h"
+
+namespace homolog::cli {
+
+struct StoredMatchOptions {
+  std::string file;  ///< match.json
+  int number = 1;    ///< in the family, 1 for the best
+};
+
+/// MATCH and --match.
+void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options);
+
+/// The one that is asked for. Throws UsageError when there are fewer; the family holds at least one.
+const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
+
+/// One of the meshes that were matched: `given` if that is not empty, else the file called `beside` in the folder of the match. Throws
+/// FileError, also for a mesh that has not as many vertices as the one that was matched (0: not known).
+Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const char* beside, std::size_t vertices);
+
+}  // namespace homolog::cli
