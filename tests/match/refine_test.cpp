@@ -18,9 +18,15 @@ GrownSet start(const homolog::Similarity& map) {
   return set;
 }
 
+Refined drawn(const GrownSet& set) {
+  Refined refined = lay_set(set, described_hand());
+  draw_set(refined, described_hand(), described_hand(), DescriptorKind::free, 0, first_steps);
+  return refined;
+}
+
 TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
   const Mat3 turn = Eigen::AngleAxisd(0.15, Vec3(1, 1, 1).normalized()).toRotationMatrix();
-  Refined refined = draw_set(start({1.05, turn, Vec3(0.02, 0, 0)}), described_hand(), described_hand(), DescriptorKind::free);
+  Refined refined = drawn(start({1.05, turn, Vec3(0.02, 0, 0)}));
   guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);
   ASSERT_EQ(refined.pairs.size(), described_hand().points.size());
   EXPECT_GT(refined.evidence.support, 0.8 * static_cast<double>(described_hand().points.size()));
@@ -29,7 +35,7 @@ TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
 }
 
 TEST(Refine, TheMatchTellsItsClothAsASpline) {
-  Refined refined = draw_set(start({}), described_hand(), described_hand(), DescriptorKind::free);
+  Refined refined = drawn(start({}));
   guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);
   const Match match = match_of(refined, described_hand());
   for (std::size_t i = 0; i < refined.cloth.nodes.size(); ++i) {

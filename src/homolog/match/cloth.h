@@ -34,6 +34,9 @@ struct ClothSchedule {
   double first_stiffness, last_stiffness;
 };
 
+/// The steps of a schedule from `begin` up to `end`, as a schedule of their own.
+ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end);
+
 /// Lays the body by the spline, without looking at the data.
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality);
 

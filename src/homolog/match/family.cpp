@@ -14,12 +14,18 @@ namespace {
 
 constexpr std::size_t least_pairs = 4;  // three are unlikely to define good matchings (Sec. 6.2)
 constexpr std::size_t least_grown = 3;  // but guiding may find them their fourth
-constexpr std::size_t guided = 16;      // so many of the drawn sets are worth guiding
 constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double same_start = 0.04;     // the same for grown sets, at the salient points
 constexpr double rivalry = 12;          // log of odds per merit between matches that claim the same part of the data (merit_of's fit)
 constexpr std::size_t compared = 150;   // nodes of each
 constexpr double near_tie = 0.1;        // merit within which the other handedness makes a match ambiguous
+
+// Most sets fall behind early: after so many steps of the first draw only so many stay.
+struct Heat {
+  int steps;
+  std::size_t most;
+};
+constexpr Heat heats[] = {{3, 40}, {6, 24}, {first_steps, 16}};
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
@@ -91,10 +97,15 @@ struct LaidSet {
 };
 
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
-  std::vector<Refined> refined(sets.size());
-  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = draw_set(sets[i], model, data, params.descriptor.kind); });
-  refined = without_duplicates(std::move(refined), model, data);
-  refined.resize(std::min(refined.size(), guided));
+  std::vector<Refined> refined;
+  for (const GrownSet& set : sets) refined.push_back(lay_set(set, model));
+  int begin = 0;
+  for (const auto& [end, most] : heats) {
+    parallel_for(refined.size(), [&](std::size_t i) { draw_set(refined[i], model, data, params.descriptor.kind, begin, end); });
+    refined = without_duplicates(std::move(refined), model, data);
+    refined.resize(std::min(refined.size(), most));
+    begin = end;
+  }
   parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });
   return without_duplicates(std::move(refined), model, data);
 }

@@ -10,7 +10,7 @@
 namespace homolog {
 namespace {
 
-constexpr ClothSchedule first_draw{12, 0.06, 0.015, 2, 0.2};
+constexpr ClothSchedule first_draw{first_steps, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
@@ -63,11 +63,11 @@ void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSc
 
 }  // namespace
 
-Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind) {
-  Refined refined{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};
-  draw(refined, model, data, first_draw, data_samples);
+Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
+
+void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end) {
+  draw(refined, model, data, steps_of(first_draw, begin, end), data_samples);
   weigh_again(refined, model, data, kind);
-  return refined;
 }
 
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {

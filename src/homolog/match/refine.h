@@ -17,8 +17,14 @@ struct Refined {
   double confidence = 0;
 };
 
-/// Lays the set and draws it on to the data.
-Refined draw_set(const GrownSet& set, const Shape& model, const Shape& data, DescriptorKind kind);
+/// Steps of the first draw.
+inline constexpr int first_steps = 12;
+
+/// Lays the set by its spline.
+Refined lay_set(const GrownSet& set, const Shape& model);
+
+/// Draws it on to the data by some of the first steps, from `begin` up to `end`, and weighs it.
+void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end);
 
 /// Rounds of pairs guided by the cloth and of drawing with them.
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/local_frames.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+
+#include "homolog/base/widest_clone.h"
+
+namespace homolog {
+namespace {
+
+constexpr double flat_share = 0.05;  // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
+constexpr std::size_t lanes = 8;     // nodes at once
+
+struct EightMatrices {
+  EightDoubles column[3][3];
+};
+
+// The mean of every node's and its neighbours'.
+std::vector<Mat3> smoothed(const std::vector<Mat3>& values, const Edges& edges) {
+  std::vector<Mat3> means = values;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) means[i] += values[edges.other[e]];
+    means[i] /= 1 + edges.first[i + 1] - edges.first[i];
+  }
+  return means;
+}
+
+// Sum of image times rest over a node's edges, and of the images' squared lengths.
+struct Spread {
+  Mat3 covariance = Mat3::Zero();
+  double square = 0;
+};
+
+Spread spread_of(const Cloth& cloth, const Edges& edges, std::size_t i) {
+  Spread spread;
+  for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) {
+    const Vec3 image = cloth.nodes[edges.other[e]] - cloth.nodes[i];
+    spread.covariance += image * edges.vector[e].transpose();
+    spread.square += image.squaredNorm();
+  }
+  return spread;
+}
+
+// Turns eight rotations to those nearest to the covariances, starting where they stand (Mueller et al. 2016); determinants stay.
+HOMOLOG_WIDEST_CLONE void turn_towards(const EightMatrices& covariance, EightMatrices& rotation) {
+  const EightDoubles none = {};
+  auto unsettled = none == none;
+  for (int step = 0; step < 12; ++step) {
+    EightDoubles t[3] = {}, grip = none + 1e-300;
+    for (int a = 0; a < 3; ++a) {
+      const auto &r = rotation.column[a], &c = covariance.column[a];
+      for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        t[k] += r[l] * c[m] - r[m] * c[l];
+        grip += r[k] * c[k];
+      }
+    }
+    for (EightDoubles& component : t) component /= 2 * (grip < 0 ? -grip : grip);
+    const EightDoubles square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];  // of half the angle's tangent
+    unsettled &= square < 1e200;
+    for (int a = 0; a < 3; ++a) {  // the rotation by (1, t) as a quaternion
+      auto& r = rotation.column[a];
+      const EightDoubles along = 2 * (t[0] * r[0] + t[1] * r[1] + t[2] * r[2]), still = 1 - square;
+      const EightDoubles x[3] = {r[0], r[1], r[2]};
+      for (int k = 0; k < 3; ++k) {
+        const int l = (k + 1) % 3, m = (k + 2) % 3;
+        const EightDoubles turned = (still * x[k] + along * t[k] + 2 * (t[l] * x[m] - t[m] * x[l])) / (1 + square);
+        r[k] = unsettled ? turned : x[k];
+      }
+    }
+    unsettled &= square > 1e-6;  // what is left is its square
+    bool any = false;
+    for (std::size_t l = 0; l < lanes; ++l) any |= unsettled[l] != 0;
+    if (!any) return;
+  }
+}
+
+void turn_eight(Mat3* rotations, const Spread* spreads, std::size_t count) {
+  EightMatrices covariance = {}, rotation = {};
+  for (std::size_t l = 0; l < count; ++l) {
+    for (int a = 0; a < 3; ++a) {
+      for (int k = 0; k < 3; ++k) {
+        covariance.column[a][k][l] = spreads[l].covariance(k, a);
+        rotation.column[a][k][l] = rotations[l](k, a);
+      }
+    }
+  }
+  turn_towards(covariance, rotation);
+  for (std::size_t l = 0; l < count; ++l) {
+    for (int a = 0; a < 3; ++a) {
+      for (int k = 0; k < 3; ++k) rotations[l](k, a) = rotation.column[a][k][l];
+    }
+  }
+}
+
+}  // namespace
+
+Edges edges_of(const Body& model) {
+  Edges edges{{0}, {}, {}, std::vector<double>(model.nodes.size()), std::vector<Mat3>(model.nodes.size(), Mat3::Zero())};
+  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
+    Mat3 squares = Mat3::Zero();
+    for (int j : model.neighbours[i]) {
+      edges.other.push_back(j);
+      edges.vector.push_back(model.nodes[j] - model.nodes[i]);
+      edges.square[i] += edges.vector.back().squaredNorm();
+      squares += edges.vector.back() * edges.vector.back().transpose();
+    }
+    if (edges.square[i] > 0) edges.inverse[i] = (squares + flat_share * edges.square[i] * Mat3::Identity()).inverse();
+    edges.first.push_back(static_cast<int>(edges.other.size()));
+  }
+  return edges;
+}
+
+void fit_local_frames(Cloth& cloth, const Edges& edges) {
+  const std::size_t count = cloth.nodes.size();
+  std::vector<Spread> spreads(count);
+  for (std::size_t i = 0; i < count; ++i) spreads[i] = spread_of(cloth, edges, i);
+  for (std::size_t i = 0; i < count; i += lanes) turn_eight(&cloth.rotations[i], &spreads[i], std::min(lanes, count - i));
+  std::vector<Mat3> stretch(count, cloth.scale * Mat3::Identity());
+  for (std::size_t i = 0; i < count; ++i) {
+    if (edges.square[i] == 0) continue;
+    const double measured = std::clamp(std::sqrt(spreads[i].square / edges.square[i]), 0.25 * cloth.scale, 4 * cloth.scale);
+    cloth.scales[i] = std::sqrt(measured * cloth.scale);
+    const Mat3 turned_back = cloth.rotations[i].transpose() * spreads[i].covariance;
+    const Mat3 gradient = (turned_back + flat_share * edges.square[i] * cloth.scale * Mat3::Identity()) * edges.inverse[i];
+    stretch[i] = 0.5 * cloth.scale * Mat3::Identity() + 0.25 * (gradient + gradient.transpose());
+  }
+  stretch = smoothed(stretch, edges);
+  for (std::size_t i = 0; i < count; ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];
+}
+
+}  // namespace homolog
