@@ -37,8 +37,9 @@ Pull plain(const std::vector<SurfaceSample>& skin, const std::vector<SurfaceSamp
   for (std::size_t i = 0; i < skin.size(); ++i) {
     for (std::size_t k = 0; k < data.size(); ++k) {
       const double share = 0.5 * w(i, k) * (1 / (rows[i] + row_outliers) + 1 / (columns[k] + column_outliers));
+      const double sagitta = 0.5 * (data[k].position - skin[i].position).dot(data[k].normal - skin[i].normal);
       pull.masses[i] += share;
-      pull.places[i] += share * data[k].position;
+      pull.places[i] += share * (data[k].position + sagitta * skin[i].normal);
     }
     if (pull.masses[i] > 1e-9) pull.places[i] /= pull.masses[i];
   }
@@ -56,6 +57,16 @@ TEST(SoftAssignment, IsThePlainFormula) {
       }
     }
   }
+}
+
+// On a ball every sample lies as far below a place's tangent plane as its chord bulges: nothing draws the place in or out.
+TEST(SoftAssignment, ABallDrawsASkinOnItNeitherInNorOut) {
+  std::vector<SurfaceSample> ball = scattered(2000, 3), skin = scattered(50, 4);
+  for (auto* samples : {&ball, &skin}) {
+    for (SurfaceSample& s : *samples) s.position = 3 * s.normal;
+  }
+  const Pull pull = assign_softly(skin, make_blocks(ball), 0.6);
+  for (std::size_t i = 0; i < skin.size(); ++i) EXPECT_NEAR(pull.places[i].dot(skin[i].normal), 3, 1e-4);
 }
 
 TEST(SoftAssignment, NobodyIsDrawnWhereThereIsNothing) {

@@ -64,20 +64,25 @@ HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleB
   }
 }
 
-// The samples weighted as place i and samples share them, added to four times sixteen sums: x, y, z and mass.
-HOMOLOG_WIDEST_CLONE void add_up(std::size_t i, const SampleBlock* blocks, const Weights& weights, float by_place, const float* by_sample,
-                                 float* sums) {
-  SixteenFloats total[4] = {};
+// The samples weighted as place i and samples share them, in five times sixteen sums: x, y, z, mass, and what they lie below i's tangent
+// plane, twice.
+HOMOLOG_WIDEST_CLONE void add_up(const Place& place, std::size_t i, const SampleBlock* blocks, const Weights& weights, float by_place,
+                                 const float* by_sample, float* sums) {
+  SixteenFloats total[5] = {};
   for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
     const SampleBlock& block = blocks[weights.block[b]];
     const SixteenFloats share =
         sixteen(weights.weight.data() + b * block_size) * (sixteen(by_sample + weights.block[b] * block_size) + by_place);
-    total[0] += share * sixteen(block.x.data());
-    total[1] += share * sixteen(block.y.data());
-    total[2] += share * sixteen(block.z.data());
+    const SixteenFloats x = sixteen(block.x.data()), y = sixteen(block.y.data()), z = sixteen(block.z.data());
+    total[0] += share * x;
+    total[1] += share * y;
+    total[2] += share * z;
     total[3] += share;
+    total[4] += share * ((x - place.y.x()) * (sixteen(block.nx.data()) - place.n.x()) +
+                         (y - place.y.y()) * (sixteen(block.ny.data()) - place.n.y()) +
+                         (z - place.y.z()) * (sixteen(block.nz.data()) - place.n.z()));
   }
-  for (int k = 0; k < 4; ++k) sixteen(sums + k * block_size) = total[k];
+  for (int k = 0; k < 5; ++k) sixteen(sums + k * block_size) = total[k];
 }
 
 // One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
@@ -101,11 +106,14 @@ Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& d
   const Eigen::ArrayXf by_place = half_over(place_sums), by_sample = half_over(sample_sums);
   Pull pull{std::vector<Vec3>(skin.size(), Vec3::Zero()), std::vector<double>(skin.size(), 0)};
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    Eigen::Array<float, block_size, 4> sums;
-    add_up(i, data.blocks.data(), weights, by_place[i], by_sample.data(), sums.data());
-    const Eigen::Array4f total = sums.colwise().sum();
+    Eigen::Array<float, block_size, 5> sums;
+    add_up(places[i], i, data.blocks.data(), weights, by_place[i], by_sample.data(), sums.data());
+    const Eigen::Array<float, 5, 1> total = sums.colwise().sum();
     pull.masses[i] = total[3];
-    if (total[3] > 1e-9f) pull.places[i] = data.middle + (total.head<3>() / total[3]).matrix().cast<double>();
+    if (total[3] > 1e-9f) {
+      const Eigen::Vector3f place = (total.head<3>() / total[3]).matrix() + (total[4] / (2 * total[3])) * places[i].n;
+      pull.places[i] = data.middle + place.cast<double>();
+    }
   }
   return pull;
 }

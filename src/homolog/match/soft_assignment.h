@@ -11,12 +11,14 @@ namespace homolog {
 
 /// What the data's samples ask of every place of a skin.
 struct Pull {
-  std::vector<Vec3> places;    ///< mean of its samples; zero where there are none
+  std::vector<Vec3> places;    ///< mean of its samples, laid on its tangent plane as below; zero where there are none
   std::vector<double> masses;  ///< how strongly, 0 to about 1
 };
 
 /// A place and a sample weigh exp(-distance^2 / (2 reach^2)) max(0, n . n')^2. The weights are normalised by place and by sample, each
-/// with a tenth of the mean sum for what has no partner, and the mean of both is taken.
+/// with a tenth of the mean sum for what has no partner, and the mean of both is taken. A sample x counts as x + n (x - y) . (n' - n) / 2
+/// for a place y: on a round surface that is y's tangent plane, where x alone lies below it by the sagitta and would draw y inwards (the
+/// symmetric distance of Rusinkiewicz 2019).
 Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach);
 
 }  // namespace homolog
