@@ -23,7 +23,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
     throw ShapeError(fmt::format("cannot use '{}': {}", path, error.what()));
   }
   file.shape.name = name;
-  if (file.shape.guessed > 0) console.warn(fmt::format("{} is open; {:.2g} % of the inside was guessed", name, 100 * file.shape.guessed));
+  if (file.shape.guessed > 0) console.warn(fmt::format("{} is open; {:.3g} % of the inside was guessed", name, 100 * file.shape.guessed));
   return file;
 }
 

@@ -3,6 +3,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/cut_faces.h"
+#include "homolog/describe/turn_shape.h"
 #include "homolog/match/axis_starts.h"
 #include "homolog/match/candidates.h"
 #include "homolog/match/clique_growth.h"
@@ -13,6 +14,7 @@
 #include "homolog/match/verify.h"
 #include "homolog/salient/direction.h"
 #include "homolog/salient/salient_points.h"
+#include "homolog/shape/principal_axes.h"
 #include "homolog/shape/voxelize.h"
 
 namespace homolog {
@@ -84,11 +86,8 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
   return family;
 }
 
-}  // namespace
-
-Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
-  check(params);
-  const ThreadLimit limit(params.threads);
+// All of Sec. 3 to 5 on the grid along the mesh's coordinates.
+Shape describe_upright(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   Shape shape;
   Voxels voxels = voxelize(mesh, params.voxel.resolution, part);  // Sec. 4.2
   shape.interior = std::move(voxels.interior);
@@ -106,7 +105,6 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
   }
-  shape.surface_blocks = make_blocks(shape.surface);
   shape.surface_spacing = typical_spacing(positions_of(shape.surface));
   find_directions(shape.interior, params.salient, shape.points);  // eq. 2, 3
   lap(watch, "directions", shape.points.size(), "points");
@@ -116,6 +114,19 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   shape.ends = find_ends(shape.body);
   shape.inner_distance = inner_distances(shape.body, shape.interior);
   lap(watch, "body", shape.body.nodes.size(), "nodes");
+  return shape;
+}
+
+}  // namespace
+
+Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
+  check(params);
+  const ThreadLimit limit(params.threads);
+  // A part is told by the file's axes; a whole is looked at along its own, so that it is the same however it was turned.
+  const Mat3 axes = part ? Mat3(Mat3::Identity()) : principal_axes(mesh);
+  Shape shape = describe_upright(turned(mesh, axes.transpose()), params, part, watch);
+  turn_shape(shape, axes);
+  shape.surface_blocks = make_blocks(shape.surface);
   return shape;
 }
 

@@ -82,7 +82,7 @@ def write_all(folder):
         "garbage.off": "\x01\x02 this is no mesh \x7f" * 50,
         "truncated.off": mesh([((0, 0, 0), 1)])[:2000],
         "infinite.off": mesh([((0, 0, 0), 1)]).replace("1 0 0\n", "inf 0 0\n", 1),
-        "sheet.off": off([(0, 0, 0), (1, 0, 0), (1, 1, 0.3), (0, 1, 0)], [(0, 1, 2), (0, 2, 3)]),
+        "sheet.off": off([(0, 0, 0), (1, 0, 0), (1, 1, 0.3), (0, 1, 0.3)], [(0, 1, 2), (0, 2, 3)]),
         "huge.off": "OFF\n4000000000 4000000000 0\n0 0 0\n",
         "flat.off": off([(0, 0, 0), (1, 0, 0), (0, 1, 0)], [(0, 1, 2)]),
     }

@@ -15,7 +15,7 @@ enum class Shells { logarithmic, linear };
 enum class Seeds { pairs, quadruples };  ///< pairs of correspondences, or the paper's cliques of four (App. A, B)
 
 struct VoxelParams {
-  int resolution = 192;
+  int resolution = 224;
 };
 
 struct SalientParams {

@@ -19,7 +19,8 @@ Interior halve(const Interior& fine) {
   Interior coarse;
   for (int a = 0; a < 3; ++a) coarse.frame.size[a] = (fine.frame.size[a] + 1) / 2;
   coarse.frame.spacing = 2 * fine.frame.spacing;
-  coarse.frame.origin = fine.frame.origin + Vec3::Constant(0.5 * fine.frame.spacing);
+  coarse.frame.origin = fine.frame.world_from_voxel(Vec3::Constant(0.5));
+  coarse.frame.axes = fine.frame.axes;
   coarse.values.assign(coarse.frame.voxels(), 0);
   for (int k = 0; k < fine.frame.size[2]; ++k) {
     for (int j = 0; j < fine.frame.size[1]; ++j) {

@@ -78,21 +78,30 @@ Vec3 blurred_gradient(const Interior& interior, const Vec3& voxel_centre) {
   static const GradientStencil stencil;
   Vec3 gradient = Vec3::Zero();
   for (int n = 0; n < 125; ++n) {
-    const Vec3& offset = stencil.offsets[n];
+    const Vec3 offset = interior.frame.axes * stencil.offsets[n];
     gradient += stencil.weights[n] * sample(interior, voxel_centre + interior.frame.spacing * offset) * offset;
   }
   return gradient;
 }
 
-// The gradient, and the place on it where coverage falls to one half.
+// The gradient, and the place on it where coverage falls to one half, interpolated between the steps.
 SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
   const double h = interior.frame.spacing;
   const Vec3 gradient = blurred_gradient(interior, voxel_centre);
   if (gradient.norm() < 1e-3) return {voxel_centre, Vec3::Zero()};
   const Vec3 normal = -gradient.normalized();
-  Vec3 place = voxel_centre;
-  for (int step = 0; step < 8 && sample(interior, place) > 0.5f; ++step) place += 0.25 * h * normal;
-  return {place, normal};
+  double way = 0, before = 0, inside = 1;
+  for (int step = 0; step < 8; ++step) {
+    const double here = sample(interior, voxel_centre + way * normal);
+    if (here <= 0.5) {
+      way = before + (way - before) * (inside - 0.5) / (inside - here);
+      break;
+    }
+    inside = here;
+    before = way;
+    way += 0.25 * h;
+  }
+  return {voxel_centre + way * normal, normal};
 }
 
 }  // namespace

@@ -22,8 +22,7 @@ struct Places {
 /// One side of all matches: its places in its own coordinates, and where the part in use lies.
 struct Side {
   Places vertices, samples;
-  Box in_use;  ///< the voxels' grid, half a voxel around what was described
-  double spacing = 0;
+  GridFrame frame;  ///< of the voxels, half a voxel around what was described
 };
 
 /// One side of one match in the data's coordinates; the surface, and where each of its vertices is at home.
@@ -33,18 +32,16 @@ struct LaidSide {
 };
 
 Side make_side(const MeshedShape& meshed) {
-  Side side{{meshed.mesh.vertices, vertex_normals(meshed.mesh)}, {}, {}, 0};
+  Side side{{meshed.mesh.vertices, vertex_normals(meshed.mesh)}, {}, meshed.shape.interior.frame};
   side.samples.positions = positions_of(meshed.shape.surface);
   for (const SurfaceSample& s : meshed.shape.surface) side.samples.normals.push_back(s.normal);
-  const GridFrame& frame = meshed.shape.interior.frame;
-  side.spacing = frame.spacing;
-  side.in_use.min = frame.origin;
-  side.in_use.max = frame.world_from_voxel(Vec3(frame.size[0] - 1, frame.size[1] - 1, frame.size[2] - 1));
   return side;
 }
 
 bool in_use(const Side& side, const Vec3& x) {
-  return (x.array() >= side.in_use.min.array()).all() && (x.array() <= side.in_use.max.array()).all();
+  const Vec3 v = side.frame.voxel_from_world(x);
+  const auto& [nx, ny, nz] = side.frame.size;
+  return (v.array() >= 0).all() && (v.array() <= Vec3(nx - 1, ny - 1, nz - 1).array()).all();
 }
 
 Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
@@ -105,7 +102,7 @@ std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShap
   for (const Match& match : matches) {
     const double scale = match.similarity.scale;
     const Tolerance tolerance{reached_share * matched_extent(model.shape.diagonal, scale, data.shape.diagonal),
-                              std::max(data_side.spacing, scale * model_side.spacing)};
+                              std::max(data_side.frame.spacing, scale * model_side.frame.spacing)};
     Places vertices = laid(model_side.vertices, match.data_from_model);
     NearestSurface surface = surface_of(vertices, model.mesh);
     const LaidSide laid_model{std::move(vertices), laid(model_side.samples, match.data_from_model), std::move(surface)};

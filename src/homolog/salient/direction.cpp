@@ -43,7 +43,8 @@ void find_directions(const Interior& interior, const SalientParams& params, std:
   parallel_for(points.size(), [&](std::size_t n) {
     SalientPoint& point = points[n];
     const double r = point.radius / interior.frame.spacing;
-    const Vec3 away = -mean_offset(interior, interior.frame.voxel_from_world(point.position), params.direction_radius * r);
+    const Vec3 offset = mean_offset(interior, interior.frame.voxel_from_world(point.position), params.direction_radius * r);
+    const Vec3 away = interior.frame.axes * -offset;
     if (away.norm() > 0) point.direction = away.normalized();  // eq. 3
     point.direction_length = away.norm() / r < params.direction_min ? 0 : away.norm() / r;
   });

@@ -57,6 +57,7 @@ GridFrame frame_around(const GridFrame& source, const VoxelBox& box, int step, i
     first[axis] = box.low[axis] - step * margin;
   }
   frame.spacing = step * source.spacing;
+  frame.axes = source.axes;
   frame.origin = source.world_from_voxel(Vec3(first[0], first[1], first[2]));
   return frame;
 }

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/principal_axes.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace homolog {
+namespace {
+
+struct Corners {
+  Vec3 a, b, c;
+};
+
+template <class Visit>
+void visit_triangles(const Mesh& mesh, const Vec3& middle, const Visit& visit) {
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const Corners at{mesh.vertices[a] - middle, mesh.vertices[b] - middle, mesh.vertices[c] - middle};
+    visit(at, (at.b - at.a).cross(at.c - at.a).norm() / 2);
+  }
+}
+
+Vec3 centroid(const Mesh& mesh, const Vec3& about) {
+  Vec3 moment = Vec3::Zero();
+  double area = 0;
+  visit_triangles(mesh, about, [&](const Corners& at, double own) {
+    moment += own * (at.a + at.b + at.c) / 3;
+    area += own;
+  });
+  return area > 0 ? Vec3(about + moment / area) : about;
+}
+
+Mat3 second_moments(const Mesh& mesh, const Vec3& middle) {
+  Mat3 moments = Mat3::Zero();
+  visit_triangles(mesh, middle, [&](const Corners& at, double area) {
+    const Vec3 sum = at.a + at.b + at.c;
+    moments += area / 12 * (at.a * at.a.transpose() + at.b * at.b.transpose() + at.c * at.c.transpose() + sum * sum.transpose());
+  });
+  return moments;
+}
+
+// Integral of the cube of the coordinate along an axis.
+double third_moment(const Mesh& mesh, const Vec3& middle, const Vec3& axis) {
+  double moment = 0;
+  visit_triangles(mesh, middle, [&](const Corners& at, double area) {
+    const double a = at.a.dot(axis), b = at.b.dot(axis), c = at.c.dot(axis);
+    moment += area / 10 * (a * a * a + b * b * b + c * c * c + (a + b) * a * b + (b + c) * b * c + (c + a) * c * a + a * b * c);
+  });
+  return moment;
+}
+
+}  // namespace
+
+Mat3 principal_axes(const Mesh& mesh) {
+  if (mesh.triangles.empty()) return Mat3::Identity();
+  const Vec3 middle = centroid(mesh, bounding_box(mesh).min);
+  const Mat3 moments = second_moments(mesh, middle);
+  const double largest = moments.cwiseAbs().maxCoeff();
+  if (!(largest > 0) || !std::isfinite(largest)) return Mat3::Identity();
+  Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(moments / largest).eigenvectors().rowwise().reverse();
+  for (int k = 0; k < 2; ++k) {
+    if (third_moment(mesh, middle, axes.col(k)) < 0) axes.col(k) *= -1;
+  }
+  axes.col(2) = axes.col(0).cross(axes.col(1));
+  return axes;
+}
+
+Mesh turned(Mesh mesh, const Mat3& rotation) {
+  for (Vec3& vertex : mesh.vertices) vertex = rotation * vertex;
+  return mesh;
+}
+
+}  // namespace homolog

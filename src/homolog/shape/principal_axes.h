@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: axes that turn with the shape, so that a grid along them sees the same however the shape was turned before.
+#pragma once
+
+#include "homolog/shape/mesh.h"
+
+namespace homolog {
+
+/// Columns, a proper rotation: the principal axes of the surface (second moments of its area), longest first. The first two point
+/// to the side where the surface reaches farther (third moments). Axes of a shape that looks alike along or about them are left to
+/// rounding. The identity for a mesh without area.
+Mat3 principal_axes(const Mesh& mesh);
+
+/// The mesh with rotation * v for every vertex v.
+Mesh turned(Mesh mesh, const Mat3& rotation);
+
+}  // namespace homolog

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/principal_axes.h"
+
+#include <gtest/gtest.h>
+
+#include "fixtures/shapes.h"
+
+namespace homolog {
+namespace {
+
+using namespace fixtures;
+
+TEST(PrincipalAxes, OfABoxAreItsSides) {
+  const Mesh box = mesh_of(fixtures::box({3, 4, 5}, {1, 0.2, 0.5}), 60);
+  const Mat3 axes = principal_axes(box);
+  EXPECT_NEAR(std::abs(axes(0, 0)), 1, 1e-3);
+  EXPECT_NEAR(std::abs(axes(1, 2)), 1, 1e-3);  // the shortest side last
+  EXPECT_NEAR(axes.determinant(), 1, 1e-12);
+}
+
+TEST(PrincipalAxes, TurnWithTheShapeWhateverItsSizeAndPlace) {
+  const Mesh hand = mesh_of(fixtures::hand(), 40);
+  const Mat3 axes = principal_axes(hand);
+  for (const double scale : {1e-3, 1.0, 1e3}) {
+    const fixtures::Similarity move{random_rotation(7), scale, scale * Vec3(5, -7, 3)};
+    Mesh other = hand;
+    for (Vec3& v : other.vertices) v = move(v);
+    EXPECT_TRUE(principal_axes(other).isApprox(move.rotation * axes, 1e-6)) << scale;
+  }
+}
+
+TEST(PrincipalAxes, OfNothingAreThoseOfTheWorld) {
+  EXPECT_EQ(principal_axes({}), Mat3::Identity());
+  EXPECT_EQ(principal_axes({{Vec3::Zero(), Vec3::UnitX(), 2 * Vec3::UnitX()}, {{0, 1, 2}}}), Mat3::Identity());
+}
+
+}  // namespace
+}  // namespace homolog
