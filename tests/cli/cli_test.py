@@ -251,7 +251,7 @@ class Examples(Program):
         self.assertGreater(len(examples), 10)
         for words in examples:
             with self.subTest(" ".join(words)):
-                coarse = words[0] not in ("params", "transfer") and "--resolution" not in words
+                coarse = words[0] not in ("params", "transfer", "dense") and "--resolution" not in words
                 done = self.run_it(*words, *(COARSE if coarse else ()))
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertNotEqual(done.stdout, "")
