@@ -21,6 +21,8 @@ constexpr const char* kExamples = R"(Examples:
   homolog transfer bears/match.json --points landmarks.csv --out carried.csv
   # The place of every vertex of each on the other, and both in matching colours
   homolog dense bears/match.json --out bears/dense
+  # An animated glTF in which the first turns into the second
+  homolog morph bears/match.json --out morph.glb
   # Its symmetries; its salient points; all parameters
   homolog symmetry bear.off
   homolog points bear.off
@@ -75,8 +77,8 @@ int run(int argc, char** argv) {
   program.get_formatter()->column_width(32);
   program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   program.allow_extras();  // so that we can say which word is wrong, and what may have been meant
-  const Verb verbs[] = {add_match(program),    add_symmetry(program), add_points(program),
-                        add_transfer(program), add_dense(program),    add_params(program)};
+  const Verb verbs[] = {add_match(program), add_symmetry(program), add_points(program), add_transfer(program),
+                        add_dense(program), add_morph(program),    add_params(program)};
   for (const Verb& verb : verbs) verb.app->allow_extras();
   try {
     program.parse(argc, argv);
@@ -89,7 +91,7 @@ int run(int argc, char** argv) {
   for (const Verb& verb : verbs) {
     if (verb.app->parsed()) return verb.run();
   }
-  throw UsageError("say what to do: match, symmetry, points, transfer, dense or params; 'homolog --help' tells more");
+  throw UsageError("say what to do: match, symmetry, points, transfer, dense, morph or params; 'homolog --help' tells more");
 }
 
 int report(int code, const std::string& sentence) {

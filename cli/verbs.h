@@ -17,6 +17,7 @@ Verb add_match(CLI::App& program);
 Verb add_points(CLI::App& program);
 Verb add_symmetry(CLI::App& program);
 Verb add_dense(CLI::App& program);
+Verb add_morph(CLI::App& program);
 Verb add_transfer(CLI::App& program);
 Verb add_params(CLI::App& program);
 

@@ -41,7 +41,7 @@ class Usage(Program):
         self.expect_message(2, "did you mean '--resolution'", "match", "bear.off", "bear.off", "--resolutoin", "64")
         self.expect_message(2, "did you mean '--mirror'", "match", "--miror=only", "bear.off")
         self.expect_message(2, "unknown option '--frobnicate'", "points", "bear.off", "--frobnicate")
-        self.expect_message(2, "match, symmetry, points, transfer, dense or params")
+        self.expect_message(2, "match, symmetry, points, transfer, dense, morph or params")
         self.expect_message(2, "MODEL is required", "match")
         self.expect_message(2, "DATA", "match", "bear.off")
         self.expect_message(2, "--self", "match", "bear.off", "bear.off", "--self")
@@ -251,7 +251,7 @@ class Examples(Program):
         self.assertGreater(len(examples), 10)
         for words in examples:
             with self.subTest(" ".join(words)):
-                coarse = words[0] not in ("params", "transfer", "dense") and "--resolution" not in words
+                coarse = words[0] not in ("params", "transfer", "dense", "morph") and "--resolution" not in words
                 done = self.run_it(*words, *(COARSE if coarse else ()))
                 self.assertEqual((done.returncode, done.stderr), (0, ""))
                 self.assertNotEqual(done.stdout, "")

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Makes the pages that report_test.mjs opens: make_report DIR. The family is laid by hand over two animals made in code, so that the
-// pages do not depend on what the algorithm finds.
+// Makes the pages that report_test.mjs opens, and the morphs that gltf_test.mjs judges: make_report DIR. The family is laid by hand over
+// two animals made in code, so that the pages do not depend on what the algorithm finds.
 #include <Eigen/Geometry>
 #include <filesystem>
 
 #include "fixtures/solids.h"
+#include "homolog/outputs/dense_files.h"
+#include "homolog/outputs/morph.h"
 #include "homolog/outputs/report.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/voxelize.h"
@@ -107,4 +109,8 @@ int main(int argc, char** argv) {
   write_file(folder / "empty.html", match_report(left, right, nothing, {}, {}));
   write_file(folder / "points.html", points_report(left, {}));
   write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, parts, {}));
+  const MatchMap map = match_maps(family.matches, a, b, parts).front();
+  const Morph morph = make_morph(map, model.mesh, dense_maps(map, model.mesh, data.mesh));
+  write_file(folder / "morph.glb", morph_glb(morph, {}));
+  write_file(folder / "coloured.glb", morph_glb(morph, position_colours(model.mesh)));
 }

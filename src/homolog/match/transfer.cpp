@@ -48,6 +48,7 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
     maps.push_back({matches[i].data_from_model,
                     {},
                     matches[i].similarity.scale,
+                    matches[i].similarity.matrix(),
                     model.diagonal,
                     data.diagonal,
                     {positions_of(model.surface), parts[i].model.samples},

@@ -20,6 +20,7 @@ struct MatchMap {
   ThinPlateSpline data_from_model;
   std::vector<ThinPlateSpline> rivals;  ///< the maps of the three best other matches of its family
   double scale = 1;
+  Mat4 similarity = Mat4::Identity();  ///< data_from_model as far as a similarity can tell, of homogeneous columns
   double model_diagonal = 0, data_diagonal = 0;
   CoveredSamples model, data;  ///< empty: which part is covered is not known
 };

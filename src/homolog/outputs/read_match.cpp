@@ -57,6 +57,10 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
     match.scale = item.at("scale");
+    for (int row = 0; row < 4; ++row) {
+      const auto values = item.at("data_from_model").at(row).get<std::array<double, 4>>();
+      match.similarity.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
+    }
     match.model_diagonal = json["model"].at("diagonal");
     match.data_diagonal = json["data"].at("diagonal");
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
