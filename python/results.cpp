@@ -82,7 +82,7 @@ nb::dict carry(const MatchMap& map, const Places& points, bool to_data) {
 // A map as plain arrays, for pickle.
 using SplineState = std::tuple<bool, Places, Places, Affine>;
 using SamplesState = std::pair<Places, Weights>;
-using MapState = std::tuple<SplineState, std::vector<SplineState>, double, double, double, SamplesState, SamplesState>;
+using MapState = std::tuple<SplineState, std::vector<SplineState>, double, Mat4, double, double, SamplesState, SamplesState>;
 
 SplineState state_of(const ThinPlateSpline& spline) {
   return {spline.kernel == Kernel::r3, places_of(spline.centres), places_of(spline.weights), spline.affine};
@@ -91,7 +91,14 @@ SamplesState state_of(const CoveredSamples& samples) { return {places_of(samples
 MapState state_of(const MatchMap& map) {
   std::vector<SplineState> rivals;
   for (const ThinPlateSpline& rival : map.rivals) rivals.push_back(state_of(rival));
-  return {state_of(map.data_from_model), rivals, map.scale, map.model_diagonal, map.data_diagonal, state_of(map.model), state_of(map.data)};
+  return {state_of(map.data_from_model),
+          rivals,
+          map.scale,
+          map.similarity,
+          map.model_diagonal,
+          map.data_diagonal,
+          state_of(map.model),
+          state_of(map.data)};
 }
 
 ThinPlateSpline spline_of(const SplineState& state) {
@@ -106,8 +113,8 @@ CoveredSamples samples_of(const SamplesState& state) {
   return {vectors_of(state.first), {state.second.data(), state.second.data() + state.second.size()}};
 }
 MatchMap map_of(const MapState& state) {
-  const auto& [spline, rivals, scale, model_diagonal, data_diagonal, model, data] = state;
-  MatchMap map{spline_of(spline), {}, scale, model_diagonal, data_diagonal, samples_of(model), samples_of(data)};
+  const auto& [spline, rivals, scale, similarity, model_diagonal, data_diagonal, model, data] = state;
+  MatchMap map{spline_of(spline), {}, scale, similarity, model_diagonal, data_diagonal, samples_of(model), samples_of(data)};
   for (const SplineState& rival : rivals) map.rivals.push_back(spline_of(rival));
   return map;
 }
