@@ -8,6 +8,15 @@
 #include "homolog/shape/read_mesh.h"
 
 namespace homolog::cli {
+namespace {
+
+void warn_if_open(const Shape& shape, Console& console) {
+  if (shape.open == 0) return;
+  console.warn(fmt::format("{} is open ({:.2g} % of its edges, {} piece{}); {:.3g} % of the inside was guessed", shape.name,
+                           100 * shape.open, shape.components, shape.components == 1 ? "" : "s", 100 * shape.guessed));
+}
+
+}  // namespace
 
 DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, const Limits& limits,
                             Console& console) {
@@ -23,7 +32,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
     throw ShapeError(fmt::format("cannot use '{}': {}", path, error.what()));
   }
   file.shape.name = name;
-  if (file.shape.guessed > 0) console.warn(fmt::format("{} is open; {:.3g} % of the inside was guessed", name, 100 * file.shape.guessed));
+  warn_if_open(file.shape, console);
   return file;
 }
 

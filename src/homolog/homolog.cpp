@@ -89,9 +89,11 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
 // All of Sec. 3 to 5 on the grid along the mesh's coordinates.
 Shape describe_upright(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   Shape shape;
-  Voxels voxels = voxelize(mesh, params.voxel.resolution, part);  // Sec. 4.2
+  Voxels voxels = voxelize(mesh, params.voxel.resolution, part, params.voxel.thicken);  // Sec. 4.2
   shape.interior = std::move(voxels.interior);
   shape.guessed = voxels.guessed;
+  shape.open = voxels.open;
+  shape.components = voxels.components;
   const auto& frame = shape.interior.frame;
   shape.diagonal = frame.spacing * Vec3(frame.size[0] - 2, frame.size[1] - 2, frame.size[2] - 2).norm();
   lap(watch, "voxels", frame.voxels(), "voxels");
@@ -100,7 +102,7 @@ Shape describe_upright(const Mesh& mesh, const Params& params, const std::option
   shape.surface = sample_surface(shape.interior, surface_samples);
   lap(watch, "surface samples", shape.surface.size(), "samples");
   if (part) {
-    const Box whole = bounding_box(mesh);
+    const Box whole = thickened_box(mesh, params.voxel.thicken);
     const Vec3 extent = whole.max - whole.min;
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);

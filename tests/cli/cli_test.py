@@ -225,7 +225,7 @@ class Results(Program):
     def test_open_mesh_is_told_unless_quiet(self):
         done = self.run_it("points", "open.off", *COARSE)
         self.assertEqual(done.returncode, 0, done.stderr)
-        self.assertRegex(done.stderr, r"\Ahomolog: warning: open.off is open; [0-9.e-]+ % of the inside was guessed\n\Z")
+        self.assertRegex(done.stderr, r"\Ahomolog: warning: open.off is open \([0-9.e-]+ % of its edges, [0-9]+ pieces?\); [0-9.e-]+ % of the inside was guessed\n\Z")
         self.assertEqual(self.run_it("points", "open.off", "--quiet", *COARSE).stderr, "")
 
     def test_nothing_found_still_writes_files(self):

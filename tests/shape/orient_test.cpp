@@ -24,7 +24,7 @@ TEST(Orient, MendsScrambledTriangles) {
   const Mesh torus = meshes::torus(1, 0.3, 40, 20);
   for (std::uint32_t seed = 0; seed < 4; ++seed) {
     EXPECT_NEAR(oriented_volume(scrambled(torus, seed)), meshes::volume(torus), 1e-12);
-    EXPECT_TRUE(orient(scrambled(torus, seed)).closed);
+    EXPECT_TRUE(orient(scrambled(torus, seed)).closed());
   }
   EXPECT_EQ(orient(torus).triangles, torus.triangles);
   EXPECT_NEAR(oriented_volume(meshes::reversed(torus)), meshes::volume(torus), 1e-12);
@@ -53,20 +53,47 @@ TEST(Orient, JoinsFacesByPosition) {
     soup.triangles.push_back({n, n + 1, n + 2});
   }
   EXPECT_NEAR(oriented_volume(soup), 1, 1e-12);
-  EXPECT_TRUE(orient(soup).closed);
+  EXPECT_TRUE(orient(soup).closed());
 }
 
 TEST(Orient, KnowsOpenSurfaces) {
   Mesh open = meshes::box({0, 0, 0}, {1, 1, 1});
   open.triangles.pop_back();
-  EXPECT_FALSE(orient(open).closed);
+  EXPECT_FALSE(orient(open).closed());
   const Mesh flap = meshes::joined(meshes::box({0, 0, 0}, {1, 1, 1}), Mesh{{{0, 0, 0}, {1, 0, 0}, {0, -1, 0}}, {{0, 1, 2}}});
-  EXPECT_FALSE(orient(flap).closed);
+  EXPECT_FALSE(orient(flap).closed());
+}
+
+TEST(Orient, CountsComponentsAndOpenSides) {
+  const Mesh box = meshes::box({0, 0, 0}, {1, 1, 1});
+  Mesh open = box;
+  open.triangles.pop_back();
+  const OrientedSurface both = orient(meshes::joined(box, meshes::moved(open, Mat3::Identity(), {3, 0, 0})));
+  EXPECT_EQ(both.components, 2u);
+  EXPECT_DOUBLE_EQ(both.open, 3.0 / (3 * 23));
+  EXPECT_EQ(orient(box).open, 0);
+}
+
+TEST(Orient, LeavesOutCopies) {
+  const Mesh torus = meshes::torus(1, 0.3, 40, 20);
+  Mesh some = torus, both_sides = meshes::joined(torus, meshes::reversed(torus));
+  for (std::size_t i = 0; i < 30; ++i) some.triangles.push_back(torus.triangles[i * 7]);
+  for (const Mesh& mesh : {some, meshes::joined(torus, torus), both_sides}) {
+    EXPECT_EQ(orient(mesh).triangles.size(), torus.triangles.size());
+    EXPECT_TRUE(orient(mesh).closed());
+    EXPECT_NEAR(oriented_volume(mesh), meshes::volume(torus), 1e-12);
+  }
+}
+
+TEST(Orient, KeepsBothSidesOfAWall) {  // two boxes share a face, which each has from its own side
+  const Mesh row = meshes::joined(meshes::box({0, 0, 0}, {1, 1, 1}), meshes::box({0, 0, 1}, {1, 1, 2}));
+  EXPECT_EQ(orient(row).triangles.size(), 24u);
+  EXPECT_TRUE(orient(row).closed());
 }
 
 TEST(Orient, SolidsThatTouchAtAnEdgeAreClosed) {
   const Mesh touching = meshes::joined(meshes::box({0, 0, 0}, {1, 1, 1}), meshes::box({1, 1, 0}, {2, 2, 1}));
-  EXPECT_TRUE(orient(touching).closed);
+  EXPECT_TRUE(orient(touching).closed());
   EXPECT_NEAR(oriented_volume(touching), 2, 1e-12);
 }
 

@@ -35,6 +35,8 @@ Row row(ParameterInfo info, Field field) {
 const std::vector<Row>& rows() {
   static const std::vector<Row> table = {
       row({"resolution", "N", "voxels", "Voxels along the longest side of a shape.", 32, 1024, {}, true}, HOMOLOG_FIELD(voxel.resolution)),
+      row({"thicken", "", "diagonals", "Thickness to give the surface, so that sheets have an inside.", 0, 0.2, {}, false},
+          HOMOLOG_FIELD(voxel.thicken)),
       row({"sigma0",
            "sigma_0",
            "voxels",

@@ -16,6 +16,7 @@ enum class Seeds { pairs, quadruples };  ///< pairs of correspondences, or the p
 
 struct VoxelParams {
   int resolution = 224;
+  double thicken = 0;
 };
 
 struct SalientParams {

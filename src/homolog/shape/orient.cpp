@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "homolog/shape/ray_crossing.h"
 #include "homolog/shape/weld.h"
@@ -176,36 +177,88 @@ void turn_components(std::vector<Component>& components, std::vector<Triangle>& 
   }
 }
 
-/// Whether every edge is passed as often in one direction as in the other, after the triangles have been turned.
-bool is_closed(const std::vector<Side>& sides, const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& vertex) {
+/// The share of sides that no other one passes in the other direction, after the triangles have been turned.
+double open_share(const std::vector<Side>& sides, const std::vector<Triangle>& triangles, const std::vector<std::uint32_t>& vertex) {
   const auto passes_forward = [&](const Side& side) {
     const auto& [a, b, c] = triangles[side.triangle];
     const std::uint64_t u = vertex[a], v = vertex[b], w = vertex[c];
     return side.key == (u << 32 | v) || side.key == (v << 32 | w) || side.key == (w << 32 | u);
   };
-  bool closed = true;
+  std::size_t open = 0;
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
     int sum = 0;
     for (std::size_t i = first; i < last; ++i) sum += passes_forward(sides[i]) ? 1 : -1;
-    closed = closed && sum == 0;
+    open += static_cast<std::size_t>(std::abs(sum));
   });
-  return closed;
+  return sides.empty() ? 0 : static_cast<double>(open) / static_cast<double>(sides.size());
+}
+
+/// A triangle by its corners' places, the lowest first, then which way round they come.
+struct Face {
+  Triangle corners;
+  bool front;
+  std::uint32_t number;
+};
+
+Face face_of(const Triangle& t, const std::vector<std::uint32_t>& vertex, std::uint32_t number) {
+  Triangle c{vertex[t[0]], vertex[t[1]], vertex[t[2]]};
+  std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
+  const bool front = c[1] < c[2];
+  if (!front) std::swap(c[1], c[2]);
+  return {c, front, number};
+}
+
+/// Leaves out copies; true when there were any. Only triangles at edges of more than two can have one.
+bool leave_out_copies(const std::vector<Side>& sides, const std::vector<std::uint32_t>& vertex, std::vector<Triangle>& triangles) {
+  std::vector<std::uint8_t> crowded(triangles.size(), 0), copy(triangles.size(), 0);
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    for (std::size_t i = first; i < last && last - first > 2; ++i) crowded[sides[i].triangle] = 1;
+  });
+  std::vector<Face> faces;
+  for (std::uint32_t t = 0; t < triangles.size(); ++t) {
+    if (crowded[t]) faces.push_back(face_of(triangles[t], vertex, t));
+  }
+  std::sort(faces.begin(), faces.end(),
+            [](const Face& a, const Face& b) { return std::tie(a.corners, a.front, a.number) < std::tie(b.corners, b.front, b.number); });
+  std::size_t copies = 0;
+  std::vector<std::uint32_t> second_sides;
+  for (std::size_t i = 1; i < faces.size(); ++i) {
+    if (faces[i].corners != faces[i - 1].corners) continue;
+    if (faces[i].front != faces[i - 1].front) {
+      second_sides.push_back(faces[i].number);
+    } else {
+      copy[faces[i].number] = 1;
+      ++copies;
+    }
+  }
+  if (!second_sides.empty() && 2 * second_sides.size() == triangles.size() - copies) {
+    for (const std::uint32_t t : second_sides) copy[t] = 1;
+    copies += second_sides.size();
+  }
+  std::size_t kept = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (!copy[t]) triangles[kept++] = triangles[t];
+  }
+  triangles.resize(kept);
+  return copies > 0;
 }
 
 }  // namespace
 
 OrientedSurface orient(const Mesh& mesh) {
   const std::vector<std::uint32_t> vertex = first_equal_vertex(mesh.vertices);
-  OrientedSurface surface{{}, false};
+  OrientedSurface surface;
   for (const Triangle& t : mesh.triangles) {
     if (vertex[t[0]] != vertex[t[1]] && vertex[t[1]] != vertex[t[2]] && vertex[t[2]] != vertex[t[0]]) surface.triangles.push_back(t);
   }
-  const std::vector<Side> sides = sorted_sides(surface.triangles, vertex);
+  std::vector<Side> sides = sorted_sides(surface.triangles, vertex);
+  if (leave_out_copies(sides, vertex, surface.triangles)) sides = sorted_sides(surface.triangles, vertex);
   const auto neighbours = find_neighbours(sides, surface.triangles.size());
   std::vector<Component> components = flood(surface.triangles, neighbours, mesh);
   for (Component& component : components) measure(component, surface.triangles, mesh);
   turn_components(components, surface.triangles, mesh);
-  surface.closed = is_closed(sides, surface.triangles, vertex);
+  surface.components = components.size();
+  surface.open = open_share(sides, surface.triangles, vertex);
   return surface;
 }
 

@@ -11,12 +11,15 @@
 namespace homolog {
 
 struct OrientedSurface {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the mesh, turned; those with two corners in one place are left out
-  bool closed;                                          ///< at every edge as many triangles run one way as the other
+  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the mesh, turned, without copies and those with two corners in one place
+  std::size_t components = 0;                           ///< pieces whose triangles hang together by edges that two of them share
+  double open = 0;                                      ///< share (0 to 1) of the triangles' sides that none runs back along: 0 if closed
+  bool closed() const { return open == 0; }
 };
 
 /// Turns triangles so that neighbours agree, and whole components so that solids have positive volume: a reversed component inside
 /// another one stays, as its cavity. Components that are far from closed keep the orientation most of their triangles have in the file.
+/// Of triangles with the same corners and front one is kept; of a surface that has every triangle with both fronts, one side.
 OrientedSurface orient(const Mesh& mesh);
 
 }  // namespace homolog

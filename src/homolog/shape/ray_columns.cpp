@@ -36,7 +36,7 @@ struct Row {
   std::vector<std::uint32_t> column_begin;
   std::vector<std::int32_t> differences;
   std::size_t column_stride, depth_stride;
-  std::vector<std::uint8_t> open;
+  std::vector<float> lost, sent;  // weights of the rays that do not close, and of all
 };
 
 Places place_rays(int voxels, double part_min, double part_max) {
@@ -126,17 +126,19 @@ void add_from(Row& row, std::int32_t* line, double depth, std::int32_t weight) {
 void add_ray(Row& row, std::size_t ray, std::int32_t weight) {
   const Crossing* first = row.sorted.data() + row.column_begin[ray];
   const Crossing* last = row.sorted.data() + row.column_begin[ray + 1];
-  if (first == last) return;
-  std::int32_t* line = row.differences.data() + ray / rays_per_voxel * row.column_stride;
-  int total = 0;
-  for (const Crossing* crossing = first; crossing != last; ++crossing) total += crossing->sign;
-  if (total != 0) row.open[ray / rays_per_voxel] = 1;
-  const bool parity = total != 0 && (last - first) % 2 == 0;
-  bool inside = false;
+  const std::size_t column = ray / rays_per_voxel;
+  row.sent[column] += static_cast<float>(weight);
   int winding = 0;
+  for (const Crossing* crossing = first; crossing != last; ++crossing) winding += crossing->sign;
+  if (winding != 0) {
+    row.lost[column] += static_cast<float>(weight);
+    return;
+  }
+  std::int32_t* line = row.differences.data() + column * row.column_stride;
+  bool inside = false;
   for (const Crossing* crossing = first; crossing != last; ++crossing) {
     winding += crossing->sign;
-    const bool now = parity ? !inside : winding != 0 && winding != total;  // seen from the far end it is winding - total
+    const bool now = winding != 0;
     if (now != inside) add_from(row, line, crossing->depth, now ? weight : -weight);
     inside = now;
   }
@@ -157,7 +159,9 @@ void store(const Row& row, std::size_t number, AxisCoverage& coverage) {
       voxels[column * strides[row.axes.column]] += static_cast<float>(sum[column]);
     }
   }
-  std::copy(row.open.begin(), row.open.end(), coverage.open.begin() + static_cast<std::ptrdiff_t>(number * columns));
+  for (std::size_t column = 0; column < columns; ++column) {
+    if (row.lost[column] > 0) coverage.lost[number * columns + column] = row.lost[column] / row.sent[column];
+  }
 }
 
 }  // namespace
@@ -169,9 +173,10 @@ void add_ray_coverage(const GridSurface& surface, int axis, AxisCoverage& covera
   const Places rows = place_rays(surface.size[axes.row], part.min[axes.row], part.max[axes.row]);
   const RowBins bins = bin_rows(surface, axes.row);
   const std::size_t column_count = surface.size[axes.column], depth_count = surface.size[axes.depth] + 2;
-  coverage.open.assign(column_count * surface.size[axes.row], 0);
+  coverage.lost.assign(column_count * surface.size[axes.row], 0);
   parallel_for(surface.size[axes.row], [&](std::size_t number) {
-    Row row{surface, axes, columns, {}, {}, {}, {}, 1, column_count, std::vector<std::uint8_t>(column_count, 0)};
+    Row row{surface, axes, columns, {}, {}, {}, {}, 1, column_count, std::vector<float>(column_count, 0), {}};
+    row.sent = row.lost;
     row.differences.assign(column_count * depth_count, 0);
     const std::size_t first_row = number * rays_per_voxel, end_row = first_row + rays_per_voxel;
     if (bins.begin[first_row] == bins.begin[end_row]) return;

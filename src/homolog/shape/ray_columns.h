@@ -19,19 +19,20 @@ struct GridSurface {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
   Box part;  ///< only what is inside counts; within [0, size]
+
+  std::size_t voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
 };
 
 /// What one axis says. The sums are whole numbers (exact in float), `full_coverage` for a voxel that is wholly inside.
 struct AxisCoverage {
-  std::vector<float> sums;         ///< per voxel, x fastest
-  std::vector<std::uint8_t> open;  ///< per column of voxels: a ray of it entered and left unequally often, its coverage is a guess
+  std::vector<float> sums;  ///< per voxel, x fastest
+  std::vector<float> lost;  ///< per column of voxels: the share of its rays that do not close (0 to 1); they add nothing to the sums
 };
 
 inline constexpr int full_coverage = rays_per_voxel * rays_per_voxel << 16;
 
-/// Adds the coverage found by rays along `axis` to the sums; inside is where the winding number is not 0. Rays that do not close are
-/// guessed: by parity when they cross an even number of times, else where they are inside seen from both ends.
-/// `open` of axis (0, 1, 2) is numbered (y + z ny), (x + z nx), (x + y nx).
+/// Adds the coverage found by rays along `axis` to the sums; inside is where the winding number is not 0. A ray that enters and leaves
+/// unequally often passes a hole and is lost. `lost` of axis (0, 1, 2) is numbered (y + z ny), (x + z nx), (x + y nx).
 void add_ray_coverage(const GridSurface& surface, int axis, AxisCoverage& coverage);
 
 }  // namespace homolog

@@ -10,18 +10,12 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/clip.h"
+#include "homolog/shape/inside.h"
 #include "homolog/shape/orient.h"
-#include "homolog/shape/ray_columns.h"
+#include "homolog/shape/thicken.h"
 
 namespace homolog {
 namespace {
-
-constexpr float agreement = 0.5f;  // rays of two axes sample the skin differently, but the inside of a voxel not by more than this
-
-struct Vote {
-  float coverage;
-  bool agreed;
-};
 
 void check_mesh(const Mesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
@@ -34,16 +28,19 @@ void check_mesh(const Mesh& mesh) {
   }
 }
 
-void check_resolution(int resolution) {
+void check_settings(int resolution, double thicken) {
   if (resolution < 1 || resolution > 2048) {
     throw ParamError(fmt::format("parameter 'resolution' is {}, but must be from 1 to 2048", resolution));
   }
+  if (!(thicken >= 0 && thicken <= 1)) throw ParamError(fmt::format("parameter 'thicken' is {}, but must be from 0 to 1", thicken));
 }
 
-void check_inside(const Interior& interior, bool closed) {
-  if (std::any_of(interior.values.begin(), interior.values.end(), [](float v) { return v > 0; })) return;
-  throw ShapeError(closed ? "the shape encloses no volume; give a solid, not a flat sheet"
-                          : "the surface has holes too large to tell its inside; close it (fill the holes in a mesh editor) and try again");
+void check_inside(const Voxels& voxels) {
+  const auto& values = voxels.interior.values;
+  if (std::any_of(values.begin(), values.end(), [](float v) { return v > 0; })) return;
+  const char* why = voxels.open == 0 ? "the shape encloses no volume" : "the surface has holes too large to tell its inside";
+  throw ShapeError(
+      fmt::format("{}; close it (fill the holes in a mesh editor), or give its sheets a thickness (--thicken 0.02, say)", why));
 }
 
 Box part_in_world(const Box& whole, const Box& share) {
@@ -52,6 +49,11 @@ Box part_in_world(const Box& whole, const Box& share) {
   }
   const Vec3 extent = whole.max - whole.min;
   return {whole.min + share.min.cwiseProduct(extent), whole.min + share.max.cwiseProduct(extent)};
+}
+
+/// The box with so much more on every side, as far as the limits allow.
+Box grown(const Box& box, double margin, const Box& limits) {
+  return {(box.min - Vec3::Constant(margin)).cwiseMax(limits.min), (box.max + Vec3::Constant(margin)).cwiseMin(limits.max)};
 }
 
 /// A tight grid of cubic voxels around a box and in its middle, with a margin of one voxel.
@@ -84,64 +86,30 @@ GridSurface to_grid(const Mesh& mesh, OrientedSurface&& surface, const GridFrame
   return grid;
 }
 
-/// A closed surface: every ray closes and all axes are equally right.
-Voxels average_axes(const GridSurface& surface, const GridFrame& frame) {
-  AxisCoverage coverage{std::vector<float>(frame.voxels(), 0), {}};
-  for (int axis = 0; axis < 3; ++axis) add_ray_coverage(surface, axis, coverage);
-  for (float& value : coverage.sums) value /= 3.0f * full_coverage;
-  return {{frame, std::move(coverage.sums)}, 0};
-}
-
-/// Columns that close decide: by their mean when they agree, a single one alone; else the median of all three.
-Vote vote(const std::array<float, 3>& value, const std::array<bool, 3>& open) {
-  float sum = 0, low = 2, high = -1;
-  int closed = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    if (open[axis]) continue;
-    ++closed;
-    sum += value[axis];
-    low = std::min(low, value[axis]);
-    high = std::max(high, value[axis]);
-  }
-  if (closed > 0 && high - low <= agreement) return {sum / static_cast<float>(closed), closed == 3};
-  return {std::max(std::min(value[0], value[1]), std::min(std::max(value[0], value[1]), value[2])), false};
-}
-
-Voxels vote_axes(const GridSurface& surface, const GridFrame& frame) {
-  std::array<AxisCoverage, 3> axes;
-  for (int axis = 0; axis < 3; ++axis) {
-    axes[axis].sums.assign(frame.voxels(), 0);
-    add_ray_coverage(surface, axis, axes[axis]);
-  }
-  Voxels voxels{{frame, std::vector<float>(frame.voxels())}, 0};
-  double inside = 0, guessed = 0;
-  const auto& n = frame.size;
-  for (std::size_t i = 0; i < frame.voxels(); ++i) {
-    const std::size_t x = i % n[0], y = i / n[0] % n[1], z = i / n[0] / n[1];
-    const std::array<bool, 3> open{axes[0].open[y + z * n[1]] != 0, axes[1].open[x + z * n[0]] != 0, axes[2].open[x + y * n[0]] != 0};
-    const Vote result = vote({axes[0].sums[i] / full_coverage, axes[1].sums[i] / full_coverage, axes[2].sums[i] / full_coverage}, open);
-    voxels.interior.values[i] = result.coverage;
-    inside += result.coverage;
-    guessed += result.agreed ? 0 : result.coverage;
-  }
-  if (inside > 0) voxels.guessed = guessed / inside;
-  return voxels;
-}
-
 }  // namespace
 
-Voxels voxelize(const Mesh& mesh, int resolution, const std::optional<Box>& part) {
-  check_resolution(resolution);
+Box thickened_box(const Mesh& mesh, double thicken) {
+  Box box = bounding_box(mesh);
+  const Vec3 half = Vec3::Constant(thicken * box.diagonal() / 2);
+  return {box.min - half, box.max + half};
+}
+
+Voxels voxelize(const Mesh& mesh, int resolution, const std::optional<Box>& part, double thicken) {
+  check_settings(resolution, thicken);
   check_mesh(mesh);
-  const Box whole = bounding_box(mesh);
+  const Box whole = thickened_box(mesh, thicken);
   const Box limits = part ? part_in_world(whole, *part) : whole;
+  const double thickness = thicken * bounding_box(mesh).diagonal();
   OrientedSurface surface = orient(mesh);
-  const bool closed = surface.closed;
-  const Box bounds = part ? clipped_bounding_box(mesh.vertices, surface.triangles, limits) : whole;
+  Voxels voxels{{}, 0, surface.open, surface.components};
+  const Box bounds = part ? grown(clipped_bounding_box(mesh.vertices, surface.triangles, limits), thickness / 2, limits) : whole;
   const GridFrame frame = make_frame(bounds, resolution);
   const GridSurface grid = to_grid(mesh, std::move(surface), frame, limits);
-  Voxels voxels = closed ? average_axes(grid, frame) : vote_axes(grid, frame);
-  check_inside(voxels.interior, closed);
+  Inside inside = voxels.open == 0 ? inside_of_closed(grid) : inside_of_open(grid);
+  if (thickness > 0) thicken_surface(grid, thickness / frame.spacing, inside.coverage);
+  voxels.interior = {frame, std::move(inside.coverage)};
+  voxels.guessed = inside.guessed;
+  check_inside(voxels);
   return voxels;
 }
 
