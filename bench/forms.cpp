@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sec. 4: whether one object gives the same salient points in whatever form it comes. The first file is the object, the others are the
-// same object in other forms, all in the same coordinates.
+// same object in other forms, all in the same coordinates; or every file is an object, and its other forms are made of it.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -13,6 +13,7 @@
 #include "homolog/salient/salient_points.h"
 #include "homolog/shape/read_mesh.h"
 #include "homolog/shape/voxelize.h"
+#include "other_forms.h"
 #include "repeated_points.h"
 
 namespace homolog::bench {
@@ -34,10 +35,21 @@ void print_row(const std::string& name, const Form& object, const Form& form) {
              repeated_share(object.points, form.points), chance_share(object.points, form.points, object.voxels.interior));
 }
 
+std::string name_of(const std::string& file) { return std::filesystem::path(file).filename().string(); }
+
+void print_made_forms(const std::string& file, const Params& params) {
+  const Mesh mesh = read_mesh(file);
+  const Form object = form_of(mesh, {});
+  print_row(name_of(file), object, object);
+  for (const NamedMesh& form : other_forms(mesh)) print_row("  " + form.name, object, form_of(form.mesh, params));
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Share of an object's salient points that are found again in other forms of it"};
   std::vector<std::string> files, settings;
+  bool make = false;
   app.add_option("files", files, "The object, then its other forms")->required();
+  app.add_flag("--make", make, "Make the other forms of every file");
   app.add_option("--param", settings, "NAME=VALUE, a parameter of the forms other than by default (repeatable)")->take_all();
   CLI11_PARSE(app, argc, argv);
   Params params;
@@ -46,9 +58,12 @@ int run(int argc, char** argv) {
     set_parameter(params, setting.substr(0, equals), equals == std::string::npos ? "" : setting.substr(equals + 1));
   }
   fmt::print("{:32} {:>6} {:>9} {:>8} {:>8}\n", "form", "points", "guessed", "repeat", "chance");
+  if (make) {
+    for (const std::string& file : files) print_made_forms(file, params);
+    return 0;
+  }
   const Form object = form_of(read_mesh(files.front()), {});
-  for (const std::string& file : files)
-    print_row(std::filesystem::path(file).filename().string(), object, form_of(read_mesh(file), params));
+  for (const std::string& file : files) print_row(name_of(file), object, form_of(read_mesh(file), params));
   return 0;
 }
 

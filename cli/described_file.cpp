@@ -19,10 +19,10 @@ void warn_if_open(const Shape& shape, Console& console) {
 }  // namespace
 
 DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, const Limits& limits,
-                            Console& console) {
+                            Console& console, const Label& label) {
   const std::string name = std::filesystem::path(path).filename().string();
   console.stage(fmt::format("reading {}", name));
-  DescribedFile file{read_mesh(path, limits.file), {}};
+  DescribedFile file{read_mesh(path, limits.file, label), {}};
   console.watch().lap(fmt::format("reading {}", name), file.mesh.triangles.size(), "triangles");
   console.stage(fmt::format("describing {}", name));
   try {

@@ -18,8 +18,12 @@ struct DescribedFile {
   MeshedShape meshed() const { return {mesh, shape}; }
 };
 
-/// Throws FileError or ShapeError, also for what is beyond the limits.
+/// `label`: which label of a volume. Throws FileError or ShapeError, also for what is beyond the limits.
 DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, const Limits& limits,
-                            Console& console);
+                            Console& console, const Label& label = {});
+
+/// What help says about a label, and which files a verb reads.
+inline constexpr const char* kLabelHelp = "Of a label volume, the voxels of this value; 0 for all that are not 0.";
+inline constexpr const char* kShapeHelp = "a mesh (OFF, OBJ, PLY, STL, glTF, ...) or a label volume (NIfTI, NRRD, MetaImage)";
 
 }  // namespace homolog::cli

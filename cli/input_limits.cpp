@@ -33,6 +33,7 @@ void add_limit_options(CLI::App& verb, Limits& limits) {
   };
   add("--max-bytes", limits.file.bytes, "Refuse files of more bytes");
   add("--max-triangles", limits.file.triangles, "Refuse meshes of more triangles");
+  add("--max-voxels", limits.file.voxels, "Refuse label volumes of more voxels");
   add("--max-points", limits.points, "Refuse shapes with more salient points");
   verb.add_option_function<std::uint64_t>("--max-memory", limit_memory, "Take no more MiB of memory; default 0, all there is.")
       ->group("Limits")

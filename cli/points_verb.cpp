@@ -20,6 +20,7 @@ namespace {
 struct PointsOptions {
   CommonOptions common;
   std::string shape, part;
+  Label label;
 };
 
 constexpr const char* kExamples = R"(Examples:
@@ -44,7 +45,7 @@ int run_points(const PointsOptions& options) {
   const auto part = parse_part(options.part);
   const ResultFolder folder(options.common.out);
   Console console(options.common.quiet, options.common.timing);
-  const DescribedFile file = describe_file(options.shape, part, params, options.common.limits, console);
+  const DescribedFile file = describe_file(options.shape, part, params, options.common.limits, console, options.label);
 
   console.stage("writing results");
   const auto landmarks = point_landmarks(file.shape);
@@ -70,8 +71,9 @@ int run_points(const PointsOptions& options) {
 Verb add_points(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("points", "Find the salient points of a shape.");
   const auto options = std::make_shared<PointsOptions>();
-  verb->add_option("SHAPE", options->shape, "The shape (OFF, OBJ, PLY, STL, glTF, ...).")->type_name("")->required();
+  verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
   verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
   add_common_options(*verb, options->common);
   verb->footer(kExamples);
   return {verb, [options] { return run_points(*options); }};

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // homolog symmetry SHAPE: its symmetries and repeated parts.
+#include <fmt/format.h>
+
 #include <memory>
 
 #include "family_results.h"
@@ -13,6 +15,7 @@ namespace {
 struct SymmetryOptions {
   CommonOptions common;
   std::string shape, part;
+  Label label;
 };
 
 constexpr const char* kExamples = R"(Examples:
@@ -23,12 +26,12 @@ constexpr const char* kExamples = R"(Examples:
 
 }  // namespace
 
-int match_with_itself(const std::string& path, const std::string& part, const CommonOptions& options) {
+int match_with_itself(const std::string& path, const std::string& part, const Label& label, const CommonOptions& options) {
   const Params params = params_of(options);
   const auto box = parse_part(part);
   const ResultFolder folder(options.out);
   Console console(options.quiet, options.timing);
-  const DescribedFile file = describe_file(path, box, params, options.limits, console);
+  const DescribedFile file = describe_file(path, box, params, options.limits, console, label);
   console.stage("matching");
   return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console);
 }
@@ -36,11 +39,12 @@ int match_with_itself(const std::string& path, const std::string& part, const Co
 Verb add_symmetry(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("symmetry", "Find a shape's symmetries and repeated parts.");
   const auto options = std::make_shared<SymmetryOptions>();
-  verb->add_option("SHAPE", options->shape, "The shape (OFF, OBJ, PLY, STL, glTF, ...).")->type_name("")->required();
+  verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
   verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
   add_common_options(*verb, options->common);
   verb->footer(kExamples);
-  return {verb, [options] { return match_with_itself(options->shape, options->part, options->common); }};
+  return {verb, [options] { return match_with_itself(options->shape, options->part, options->label, options->common); }};
 }
 
 }  // namespace homolog::cli

@@ -25,6 +25,9 @@ Target off();
 Target obj();
 Target stl();
 Target ply();
+Target nifti();
+Target nrrd();
+Target metaimage();
 Target match_json();
 Target points_csv();
 Target markups();
@@ -32,7 +35,7 @@ Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(), obj(), stl(), ply(), match_json(), points_csv(), markups(), parameters(), part()};
+  return {off(), obj(), stl(), ply(), nifti(), nrrd(), metaimage(), match_json(), points_csv(), markups(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {

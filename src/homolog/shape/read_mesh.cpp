@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OFF, OBJ, PLY and STL by our own readers (their heads say why), scenes by assimp behind a fence (read_scene.h).
+// OFF, OBJ, PLY, STL and volumes by our own readers (their heads say why), scenes by assimp behind a fence (read_scene.h).
 #include "homolog/shape/read_mesh.h"
 
 #include <fmt/format.h>
@@ -8,15 +8,21 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
+#include "homolog/shape/read_metaimage.h"
+#include "homolog/shape/read_nifti.h"
+#include "homolog/shape/read_nrrd.h"
 #include "homolog/shape/read_obj.h"
 #include "homolog/shape/read_off.h"
 #include "homolog/shape/read_ply.h"
 #include "homolog/shape/read_scene.h"
 #include "homolog/shape/read_stl.h"
+#include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
 
 namespace homolog {
 namespace {
+
+namespace fs = std::filesystem;
 
 void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
   if (mesh.triangles.empty()) throw FileError(fmt::format("{}: the file holds no triangles; export the surface as a mesh", file));
@@ -31,26 +37,48 @@ void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_tria
   }
 }
 
+/// Reads the file that a header names: in the header's folder or below, links followed.
+std::string read_beside(const fs::path& header, const std::string& name, std::uint64_t most) {
+  const fs::path folder = fs::canonical(fs::absolute(header).parent_path());
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(folder / name, error);
+  if (error || std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first != folder.end()) {
+    throw FileError(fmt::format("{}: it names the file '{}' outside its folder; put the two together", header.string(), shown(name)));
+  }
+  return read_file(path, most);
+}
+
+std::optional<RawVolume> read_volume(std::string_view content, const fs::path& path, const ReadLimits& limits) {
+  const ReadOther read_other = [&](const std::string& name) { return read_beside(path, name, limits.bytes); };
+  if (is_nifti(content, path.string())) return read_nifti(content, path.string(), limits.voxels);
+  if (is_nrrd(content)) return read_nrrd(content, path.string(), limits.voxels, read_other);
+  if (is_metaimage(content)) return read_metaimage(content, path.string(), limits.voxels, read_other);
+  return {};
+}
+
+Mesh read_content(const fs::path& path, const std::string& content) {
+  const std::string extension = lower_extension(path);
+  if (content.compare(0, 3, "ply") == 0) return read_ply(content, path.string());
+  if (extension == ".off") return read_off(content, path.string());
+  if (extension == ".obj") return read_obj(content, path.string());
+  if (extension == ".ply") return read_ply(content, path.string());
+  if (extension == ".stl") return weld(read_stl(content, path.string()));
+  throw FileError(
+      fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL or one of {}, or a label volume as .nii, .nii.gz, "
+                  ".nrrd or .mha",
+                  path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
+}
+
 }  // namespace
 
-Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits) {
+Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
   check_file(path, limits.bytes);
-  const std::string extension = lower_extension(path);
-  Mesh mesh;
-  if (extension == ".off") {
-    mesh = read_off(read_file(path, limits.bytes), path.string());
-  } else if (extension == ".obj") {
-    mesh = read_obj(read_file(path, limits.bytes), path.string());
-  } else if (extension == ".ply") {
-    mesh = read_ply(read_file(path, limits.bytes), path.string());
-  } else if (extension == ".stl") {
-    mesh = weld(read_stl(read_file(path, limits.bytes), path.string()));
-  } else if (const auto& scenes = scene_extensions(); std::find(scenes.begin(), scenes.end(), extension) != scenes.end()) {
-    mesh = read_scene(path);
-  } else {
-    throw FileError(fmt::format("{}: the format '{}' is not known; save the mesh as OFF, OBJ, PLY, STL or one of {}", path.string(),
-                                extension, fmt::join(scenes, ", ")));
-  }
+  const auto& scenes = scene_extensions();
+  const bool is_scene = std::find(scenes.begin(), scenes.end(), lower_extension(path)) != scenes.end();
+  const std::string content = is_scene ? std::string() : read_file(path, limits.bytes);
+  const std::optional<RawVolume> volume = is_scene ? std::nullopt : read_volume(content, path, limits);
+  if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave --label out", path.string()));
+  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : is_scene ? read_scene(path) : read_content(path, content);
   check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }

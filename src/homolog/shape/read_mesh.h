@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Reading meshes: OFF, OBJ, PLY and STL by ourselves, strictly (their readers say why), scenes by assimp behind a fence.
+// Reading shapes: meshes (OFF, OBJ, PLY and STL by ourselves, strictly, as their readers say; scenes by assimp behind a fence), and the
+// surfaces of labels in volumes.
 #pragma once
 
 #include <filesystem>
 
 #include "homolog/base/read_file.h"
+#include "homolog/shape/label_surface.h"
 #include "homolog/shape/mesh.h"
 
 namespace homolog {
@@ -13,11 +15,14 @@ namespace homolog {
 struct ReadLimits {
   std::uint64_t bytes = most_bytes;
   std::size_t triangles = 50'000'000;
+  std::uint64_t voxels = std::uint64_t{1} << 29;
 };
 
 /// Reads OFF, OBJ, PLY, STL, glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ and PLY keep the file's order and numbers;
 /// those of the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and
-/// lines are left out. Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits).
-Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {});
+/// lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS. PLY and volumes are known by how
+/// they begin, the others by their names. Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label
+/// that is not there).
+Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
 
 }  // namespace homolog

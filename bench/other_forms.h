@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// One closed mesh in the other forms in which people have it, all in its coordinates.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "generate.h"
+
+namespace homolog::bench {
+
+/// Remeshed (the surface of its coverage at 256 voxels), coarsened to 5 % of its triangles by clustering, a soup (every triangle with its
+/// own corners, 10 % missing, 30 % turned), and the surfaces of label volumes of 128 and 256 voxels along the longest side.
+std::vector<NamedMesh> other_forms(const Mesh& mesh);
+
+}  // namespace homolog::bench

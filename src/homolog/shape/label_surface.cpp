@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/label_surface.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/surface_nets.h"
+
+namespace homolog {
+namespace {
+
+constexpr int rounds = 20;                 // of smoothing: more change nothing that is found later
+constexpr std::size_t most_labels = 1000;  // beyond, the values are those of a scan
+constexpr std::size_t shown_labels = 12;
+
+std::set<long long> labels_of(const RawVolume& volume, const std::string& file) {
+  std::set<long long> labels;
+  double last = 0;
+  for (std::size_t i = 0; i < volume.voxels(); ++i) {
+    const double value = volume.value(i);
+    if (value == last) continue;
+    last = value;
+    if (!(std::abs(value) < 1e15) || value != std::floor(value)) {
+      throw FileError(fmt::format("{}: voxel {} holds {}, but labels are whole numbers; segment the scan first", file, i, value));
+    }
+    labels.insert(static_cast<long long>(value));
+    if (labels.size() > most_labels) {
+      throw FileError(fmt::format("{}: it holds more than {} different values, as scans do; segment it first", file, most_labels));
+    }
+  }
+  labels.erase(0);
+  return labels;
+}
+
+/// The label that is meant, 0 for all.
+long long chosen(const std::set<long long>& labels, const Label& label, const std::string& file) {
+  if (labels.empty()) throw FileError(fmt::format("{}: all voxels are 0, so there is no shape", file));
+  if (!label && labels.size() == 1) return *labels.begin();
+  if (label && (*label == 0 || labels.count(*label) > 0)) return *label;
+  std::vector<long long> first(labels.begin(),
+                               std::next(labels.begin(), static_cast<std::ptrdiff_t>(std::min(labels.size(), shown_labels))));
+  const std::string list = fmt::format("{}{}", fmt::join(first, ", "), labels.size() > shown_labels ? ", ..." : "");
+  if (label) throw FileError(fmt::format("{}: there is no label {}, but {}", file, *label, list));
+  throw FileError(fmt::format("{}: it holds the labels {}; say which one is meant (--label N, 0 for all)", file, list));
+}
+
+struct Crop {
+  std::array<std::int64_t, 3> first, end;
+};
+
+template <class Inside>
+Crop crop_to(const RawVolume& volume, const Inside& inside) {
+  Crop crop{volume.size, {0, 0, 0}};
+  const auto nx = static_cast<std::size_t>(volume.size[0]), ny = static_cast<std::size_t>(volume.size[1]);
+  for (std::size_t i = 0; i < volume.voxels(); ++i) {
+    if (!inside(i)) continue;
+    const std::size_t place[3] = {i % nx, i / nx % ny, i / nx / ny};
+    for (int axis = 0; axis < 3; ++axis) {
+      crop.first[axis] = std::min(crop.first[axis], static_cast<std::int64_t>(place[axis]));
+      crop.end[axis] = std::max(crop.end[axis], static_cast<std::int64_t>(place[axis]) + 1);
+    }
+  }
+  return crop;
+}
+
+}  // namespace
+
+Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file) {
+  const auto wanted = static_cast<double>(chosen(labels_of(volume, file), label, file));
+  const auto inside = [&](std::size_t i) { return wanted == 0 ? volume.value(i) != 0 : volume.value(i) == wanted; };
+  const Crop crop = crop_to(volume, inside);
+  SliceField field;
+  for (int axis = 0; axis < 3; ++axis) field.size[axis] = static_cast<int>(crop.end[axis] - crop.first[axis]);
+  field.fill = [&](int z, std::vector<float>& slice) {
+    std::size_t next = 0;
+    for (std::int64_t y = crop.first[1]; y < crop.end[1]; ++y) {
+      const std::int64_t row = ((crop.first[2] + z) * volume.size[1] + y) * volume.size[0];
+      for (std::int64_t x = crop.first[0]; x < crop.end[0]; ++x) slice[next++] = inside(static_cast<std::size_t>(row + x)) ? 1 : 0;
+    }
+  };
+  Mesh mesh = surface_nets(field, rounds);
+  const Vec3 first(static_cast<double>(crop.first[0]), static_cast<double>(crop.first[1]), static_cast<double>(crop.first[2]));
+  const Mat3 axes = volume.world_from_voxel.topLeftCorner<3, 3>();
+  const Vec3 origin = volume.world_from_voxel.topRightCorner<3, 1>();
+  for (Vec3& vertex : mesh.vertices) vertex = axes * (vertex + first) + origin;
+  if (axes.determinant() < 0) {
+    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+  }
+  return mesh;
+}
+
+}  // namespace homolog

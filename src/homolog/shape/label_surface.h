@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// The surface of a label of a volume. As a closed mesh in world coordinates it goes the way of every mesh: parts, outputs and turned or
+// anisotropic grids need nothing of their own.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "homolog/shape/mesh.h"
+#include "homolog/shape/raw_volume.h"
+
+namespace homolog {
+
+/// Which voxels of a label volume are the shape: those of this value; 0 for all that are not 0.
+using Label = std::optional<long long>;
+
+/// The surface of a label. Without one, the volume must hold a single value besides 0. `file` is its name for messages. Throws FileError
+/// when values are not whole numbers, or when the label is not there or not named; the sentence lists those that are.
+Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file);
+
+}  // namespace homolog

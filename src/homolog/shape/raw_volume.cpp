@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/raw_volume.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/inflate.h"
+
+namespace homolog {
+namespace {
+
+constexpr double farthest = 1e90;  // of coordinates, so that volumes stay numbers
+
+template <class T>
+double decode(const char* bytes, std::endian order) {
+  char buffer[sizeof(T)];
+  for (std::size_t i = 0; i < sizeof(T); ++i) buffer[i] = bytes[order == std::endian::native ? i : sizeof(T) - 1 - i];
+  T value;
+  std::memcpy(&value, buffer, sizeof(T));
+  return static_cast<double>(value);
+}
+
+double decode(VoxelType type, const char* bytes, std::endian order) {
+  switch (type) {
+    case VoxelType::int8:
+      return decode<std::int8_t>(bytes, order);
+    case VoxelType::uint8:
+      return decode<std::uint8_t>(bytes, order);
+    case VoxelType::int16:
+      return decode<std::int16_t>(bytes, order);
+    case VoxelType::uint16:
+      return decode<std::uint16_t>(bytes, order);
+    case VoxelType::int32:
+      return decode<std::int32_t>(bytes, order);
+    case VoxelType::uint32:
+      return decode<std::uint32_t>(bytes, order);
+    case VoxelType::int64:
+      return decode<std::int64_t>(bytes, order);
+    case VoxelType::uint64:
+      return decode<std::uint64_t>(bytes, order);
+    case VoxelType::float32:
+      return decode<float>(bytes, order);
+    default:
+      return decode<double>(bytes, order);
+  }
+}
+
+}  // namespace
+
+std::size_t bytes_of(VoxelType type) {
+  static constexpr std::array<std::size_t, 10> bytes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
+  return bytes[static_cast<std::size_t>(type)];
+}
+
+double RawVolume::value(std::size_t voxel) const { return slope * decode(type, bytes.data() + voxel * bytes_of(type), order) + intercept; }
+
+void check_header(const RawVolume& volume, const std::string& file, std::uint64_t most_voxels) {
+  std::uint64_t voxels = 1;
+  for (const std::int64_t side : volume.size) {
+    if (side < 1) throw FileError(fmt::format("{}: a side of the volume has {} voxels; the file is damaged", file, side));
+    if (static_cast<std::uint64_t>(side) > most_voxels / voxels) {
+      throw FileError(fmt::format("{}: {} x {} x {} voxels are more than the {} that are read; resample or crop the volume", file,
+                                  volume.size[0], volume.size[1], volume.size[2], most_voxels));
+    }
+    voxels *= static_cast<std::uint64_t>(side);
+  }
+  const Mat3 axes = volume.world_from_voxel.topLeftCorner<3, 3>();
+  const double lengths = axes.colwise().norm().prod();
+  if (!(volume.world_from_voxel.cwiseAbs().maxCoeff() < farthest) || !volume.world_from_voxel.allFinite() ||
+      !(std::abs(axes.determinant()) > 1e-6 * lengths)) {
+    throw FileError(fmt::format("{}: the voxels' axes in the header do not span space; the file is damaged", file));
+  }
+  if (!std::isfinite(volume.slope) || !std::isfinite(volume.intercept)) {
+    throw FileError(fmt::format("{}: the scale of the values in the header is not a finite number; the file is damaged", file));
+  }
+}
+
+void take_voxels(RawVolume& volume, std::string_view behind_header, const StoredVoxels& stored, const ReadOther& read_other,
+                 const std::string& file) {
+  const std::size_t length = volume.voxels() * bytes_of(volume.type);
+  std::string other;
+  if (!stored.other.empty()) {
+    other = read_other(stored.other);
+    behind_header = other;
+  }
+  const bool from_end = stored.skip < 0;
+  if (from_end && stored.compressed) throw FileError(fmt::format("{}: compressed voxels cannot be found from the end", file));
+  const std::size_t available = behind_header.size();
+  const std::size_t first = from_end ? available - std::min(available, length) : static_cast<std::size_t>(stored.skip);
+  if (first <= available) behind_header.remove_prefix(first);
+  volume.bytes = first > available   ? std::string()
+                 : stored.compressed ? inflate(behind_header, length, file)
+                                     : std::string(behind_header.substr(0, length));
+  if (volume.bytes.size() < length) {
+    throw FileError(
+        fmt::format("{}: {} bytes of voxels are announced, but {} are there; the file is truncated", file, length, volume.bytes.size()));
+  }
+}
+
+}  // namespace homolog

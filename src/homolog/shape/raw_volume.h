@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// The bytes of a volume file, and what its header says of them. Volume files are read by ourselves: their headers are short, Debian's
+// libnifti takes truncated files for whole ones, teem's NRRD reader is unmaintained, and ITK is too heavy for three headers.
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <string_view>
+
+#include "homolog/base/vec.h"
+
+namespace homolog {
+
+enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
+
+std::size_t bytes_of(VoxelType type);
+
+struct RawVolume {
+  std::array<std::int64_t, 3> size{0, 0, 0};
+  Mat4 world_from_voxel = Mat4::Identity();  ///< of voxel numbers from 0 (whole numbers: middles of voxels), to the left, behind, up (LPS)
+  VoxelType type = VoxelType::uint8;
+  std::endian order = std::endian::little;
+  double slope = 1, intercept = 0;  ///< value = slope * number + intercept
+  std::string bytes;                ///< of all voxels, x fastest
+
+  std::size_t voxels() const { return static_cast<std::size_t>(size[0] * size[1] * size[2]); }
+  double value(std::size_t voxel) const;
+};
+
+/// Checks that the header makes sense, `file` being its name for messages, and that there are no more than so many voxels. Throws
+/// FileError.
+void check_header(const RawVolume& volume, const std::string& file, std::uint64_t most_voxels);
+
+/// How the voxels stand in the file, after the header or in a file of their own.
+struct StoredVoxels {
+  bool compressed = false;
+  std::string other;      ///< the file that holds them; empty: what follows the header
+  std::int64_t skip = 0;  ///< so many bytes of it; -1: all but as many as the voxels take
+};
+
+/// Reads the other file that a header names.
+using ReadOther = std::function<std::string(const std::string& name)>;
+
+/// Takes the bytes of the voxels from behind the header or from the other file. Throws FileError when there are too few.
+void take_voxels(RawVolume& volume, std::string_view behind_header, const StoredVoxels& stored, const ReadOther& read_other,
+                 const std::string& file);
+
+}  // namespace homolog

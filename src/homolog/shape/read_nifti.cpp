@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_nifti.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/inflate.h"
+
+namespace homolog {
+namespace {
+
+/// Where the fields of the two versions stand; those of version 2 are twice as wide.
+struct Layout {
+  std::size_t header, magic, dim, datatype, pixdim, offset, slope, intercept, qform, sform, quaternion, shift, rows;
+  bool wide;
+};
+
+constexpr Layout version1{348, 344, 40, 70, 76, 108, 112, 116, 252, 254, 256, 268, 280, false};
+constexpr Layout version2{540, 4, 16, 12, 104, 168, 176, 184, 344, 348, 352, 376, 400, true};
+
+template <class T>
+T field(std::string_view header, std::size_t at, std::endian order) {
+  char buffer[sizeof(T)];
+  for (std::size_t i = 0; i < sizeof(T); ++i) buffer[i] = header[at + (order == std::endian::native ? i : sizeof(T) - 1 - i)];
+  T value;
+  std::memcpy(&value, buffer, sizeof(T));
+  return value;
+}
+
+struct Header {
+  std::string_view bytes;
+  const Layout* layout = nullptr;
+  std::endian order = std::endian::little;
+
+  double real(std::size_t at, std::size_t number) const {
+    return layout->wide ? field<double>(bytes, at + 8 * number, order) : field<float>(bytes, at + 4 * number, order);
+  }
+  std::int64_t dim(std::size_t number) const {
+    return layout->wide ? field<std::int64_t>(bytes, layout->dim + 8 * number, order)
+                        : field<std::int16_t>(bytes, layout->dim + 2 * number, order);
+  }
+  int code(std::size_t at) const { return layout->wide ? field<std::int32_t>(bytes, at, order) : field<std::int16_t>(bytes, at, order); }
+};
+
+/// The layout is that whose length the header begins with, in either byte order; null if none.
+Header find_layout(std::string_view bytes) {
+  for (const Layout* layout : {&version1, &version2}) {
+    if (bytes.size() < layout->header) continue;
+    for (const std::endian order : {std::endian::little, std::endian::big}) {
+      if (field<std::int32_t>(bytes, 0, order) == static_cast<std::int32_t>(layout->header)) return {bytes, layout, order};
+    }
+  }
+  return {};
+}
+
+VoxelType type_of(int code, const std::string& file) {
+  static constexpr std::pair<int, VoxelType> types[] = {
+      {2, VoxelType::uint8},  {4, VoxelType::int16},    {8, VoxelType::int32},    {16, VoxelType::float32}, {64, VoxelType::float64},
+      {256, VoxelType::int8}, {512, VoxelType::uint16}, {768, VoxelType::uint32}, {1024, VoxelType::int64}, {1280, VoxelType::uint64}};
+  for (const auto& [number, type] : types) {
+    if (number == code) return type;
+  }
+  throw FileError(fmt::format("{}: values of NIfTI type {} are no labels; save the volume with whole numbers", file, code));
+}
+
+Mat4 qform_of(const Header& header) {
+  const Layout& layout = *header.layout;
+  const double b = header.real(layout.quaternion, 0), c = header.real(layout.quaternion, 1), d = header.real(layout.quaternion, 2);
+  const double a = std::sqrt(std::max(0.0, 1 - (b * b + c * c + d * d)));
+  Mat4 world = Mat4::Identity();
+  world.topLeftCorner<3, 3>() = Eigen::Quaterniond(a, b, c, d).toRotationMatrix();
+  for (int axis = 0; axis < 3; ++axis) {
+    world.col(axis) *= header.real(layout.pixdim, static_cast<std::size_t>(axis) + 1);
+    world(axis, 3) = header.real(layout.shift, static_cast<std::size_t>(axis));
+  }
+  if (header.real(layout.pixdim, 0) < 0) world.col(2) *= -1;
+  return world;
+}
+
+/// To the right, before, up (RAS), as the header has it.
+Mat4 world_of(const Header& header) {
+  const Layout& layout = *header.layout;
+  Mat4 world = Mat4::Identity();
+  if (header.code(layout.sform) > 0) {
+    for (int i = 0; i < 12; ++i) world(i / 4, i % 4) = header.real(layout.rows, static_cast<std::size_t>(i));
+    return world;
+  }
+  if (header.code(layout.qform) > 0) return qform_of(header);
+  for (int axis = 0; axis < 3; ++axis) world(axis, axis) = header.real(layout.pixdim, static_cast<std::size_t>(axis) + 1);
+  return world;
+}
+
+void check_dimensions(const Header& header, const std::string& file) {
+  const std::int64_t dimensions = header.dim(0);
+  if (dimensions < 3 || dimensions > 7) {
+    throw FileError(fmt::format("{}: it has {} dimensions, but a solid needs a volume of 3", file, dimensions));
+  }
+  for (std::size_t i = 4; i <= static_cast<std::size_t>(dimensions); ++i) {
+    if (header.dim(i) > 1) throw FileError(fmt::format("{}: it holds {} volumes; save the one that is meant alone", file, header.dim(i)));
+  }
+}
+
+}  // namespace
+
+bool is_nifti(std::string_view content, const std::string& file) {
+  const std::string begin = is_gzip(content) ? inflate(content, version2.header, file) : std::string(content.substr(0, version2.header));
+  const Header header = find_layout(begin);
+  return header.layout && (begin.substr(header.layout->magic, 2) == "n+" || begin.substr(header.layout->magic, 2) == "ni");
+}
+
+RawVolume read_nifti(std::string_view content, const std::string& file, std::uint64_t most_voxels) {
+  const bool compressed = is_gzip(content);
+  const std::string begin = compressed ? inflate(content, version2.header, file) : std::string(content.substr(0, version2.header));
+  const Header header = find_layout(begin);
+  if (!header.layout) throw FileError(fmt::format("{}: this is not a NIfTI file, or its header is truncated", file));
+  const Layout& layout = *header.layout;
+  if (begin.substr(layout.magic, 2) != "n+") {
+    throw FileError(fmt::format("{}: header and voxels stand in two files (.hdr, .img); save them as one .nii", file));
+  }
+  check_dimensions(header, file);
+  RawVolume volume;
+  for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = header.dim(axis + 1);
+  volume.world_from_voxel = Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world_of(header);  // LPS
+  volume.type = type_of(field<std::int16_t>(begin, layout.datatype, header.order), file);
+  volume.order = header.order;
+  if (const double slope = header.real(layout.slope, 0); slope != 0) {
+    volume.slope = slope;
+    volume.intercept = header.real(layout.intercept, 0);
+  }
+  check_header(volume, file, most_voxels);
+  const double offset =
+      layout.wide ? static_cast<double>(field<std::int64_t>(begin, layout.offset, header.order)) : header.real(layout.offset, 0);
+  const std::size_t length = volume.voxels() * bytes_of(volume.type);
+  if (!(offset >= static_cast<double>(layout.header) && offset <= 1e6)) {
+    throw FileError(fmt::format("{}: the voxels begin at byte {}, which is no place for them; the file is damaged", file, offset));
+  }
+  const auto first = static_cast<std::size_t>(offset);
+  const std::string unpacked = compressed ? inflate(content, first + length, file) : std::string();
+  take_voxels(volume, compressed ? std::string_view(unpacked) : content, {false, "", static_cast<std::int64_t>(first)}, {}, file);
+  return volume;
+}
+
+}  // namespace homolog

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// Volume files through read_mesh(): the surface of the label must lie where the header says.
+#include <gtest/gtest.h>
+
+#include "homolog/shape/label_surface.h"
+#include "homolog/shape/orient.h"
+#include "shape/files.h"
+#include "shape/meshes.h"
+#include "shape/volume_files.h"
+
+namespace homolog {
+namespace {
+
+using ReadVolume = FileTest;
+
+/// The box of ones in LPS: half a voxel beyond the middles of its outer voxels, but for what smoothing does to so small a box.
+void expect_box_of_ones(const Mesh& mesh) {
+  const Box box = bounding_box(mesh);
+  const Vec3 spacing(2, 3, 4), low(-10 - 2 * 3.5, -20 - 3 * 4.5, 30 + 4 * 0.5), high(-10 - 2 * 0.5, -20 - 3 * 0.5, 30 + 4 * 3.5);
+  EXPECT_LT((box.min - low).cwiseQuotient(spacing).cwiseAbs().maxCoeff(), 0.2) << box.min.transpose();
+  EXPECT_LT((box.max - high).cwiseQuotient(spacing).cwiseAbs().maxCoeff(), 0.2) << box.max.transpose();
+  EXPECT_TRUE(orient(mesh).closed());
+  EXPECT_GT(meshes::volume(mesh), 0.5 * (6 * 12 * 12));
+}
+
+TEST_F(ReadVolume, EveryFormatLiesInTheSamePlace) {
+  const std::pair<std::string, std::string> files[] = {
+      {"a.nii", volumes::nifti()},
+      {"b.nii", volumes::nifti(false)},
+      {"c.nii", volumes::nifti(true, std::endian::big)},
+      {"d.nii.gz", volumes::compressed(volumes::nifti(), true)},
+      {"e.nii", volumes::nifti2()},
+      {"f.nrrd", volumes::nrrd()},
+      {"g.nrrd", volumes::nrrd(true)},
+      {"h.nrrd", volumes::nrrd(false, false)},
+      {"i.mha", volumes::metaimage()},
+      {"j.mha", volumes::metaimage(true)},
+      {"called_anything", volumes::nifti()},
+  };
+  for (const auto& [name, content] : files) {
+    SCOPED_TRACE(name);
+    expect_box_of_ones(read(name, content));
+  }
+}
+
+TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
+  write("voxels.raw", "skipped" + volumes::voxels());
+  expect_box_of_ones(read("a.nhdr", volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: 7\n", "")));
+  expect_box_of_ones(read("b.nhdr", volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: -1\n", "")));
+  write("plain.raw", volumes::voxels());
+  expect_box_of_ones(read("c.mhd", volumes::metaimage(false, "plain.raw")));
+  expect_error("d.mhd", volumes::metaimage(false, "../plain.raw"), "outside its folder");
+  expect_error("e.nhdr", volumes::nrrd(false, true, "data file: /etc/passwd\n", ""), "outside its folder");
+  EXPECT_THROW(read("f.mhd", volumes::metaimage(false, "none.raw")), FileError);
+}
+
+TEST_F(ReadVolume, TheLabelIsChosenOrAskedFor) {
+  const std::string both = volumes::nifti(true, std::endian::little, volumes::voxels(true));
+  expect_error("a.nii", both, "it holds the labels 1, 2; say which one is meant (--label N, 0 for all)");
+  expect_box_of_ones(read_mesh(write("a.nii", both), {}, 1));
+  const Box twos = bounding_box(read_mesh(write("a.nii", both), {}, 2)), all = bounding_box(read_mesh(write("a.nii", both), {}, 0));
+  EXPECT_NEAR(twos.min.x(), -10 - 2 * 6.5, 0.2);
+  EXPECT_NEAR(twos.max.x(), -10 - 2 * 4.5, 0.2);
+  EXPECT_NEAR(all.max.x() - all.min.x(), 2 * 6, 2 * 2 * 0.2);
+  EXPECT_THROW(read_mesh(write("a.nii", both), {}, 3), FileError);
+  EXPECT_THROW(read_mesh(write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}, 3), FileError);
+}
+
+TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
+  std::string scan = volumes::nifti();
+  volumes::put<float>(scan, 112, 0.5f, std::endian::little);  // scl_slope
+  expect_error("a.nii", scan, "labels are whole numbers");
+  expect_error("b.nii", volumes::nifti(true, std::endian::little, std::string(240, '\0')), "all voxels are 0");
+  std::string series = volumes::nifti();
+  volumes::put<std::int16_t>(series, 40, 4, std::endian::little);
+  volumes::put<std::int16_t>(series, 48, 7, std::endian::little);
+  expect_error("c.nii", series, "it holds 7 volumes");
+  std::string flat = volumes::nifti();
+  volumes::put<float>(flat, 280, 0, std::endian::little);
+  expect_error("d.nii", flat, "do not span space");
+}
+
+TEST_F(ReadVolume, TruncatedAndLyingFilesAreRefused) {
+  for (const std::string& whole : {volumes::nifti(), volumes::nifti2(), volumes::nrrd(), volumes::metaimage()}) {
+    expect_error("a.nii", whole.substr(0, whole.size() - 1), "240 bytes of voxels are announced, but 239 are there");
+  }
+  const std::string packed = volumes::compressed(volumes::nifti(), true);
+  expect_error("b.nii.gz", packed.substr(0, packed.size() / 2), "truncated");
+  std::string huge = volumes::nifti();
+  for (std::size_t i = 42; i < 48; i += 2) volumes::put<std::int16_t>(huge, i, 32767, std::endian::little);
+  expect_error("c.nii", huge, "voxels are more than the");
+  EXPECT_THROW(read_mesh(write("d.nii", volumes::nifti()), {most_bytes, 1000, 239}), FileError);
+}
+
+}  // namespace
+}  // namespace homolog
