@@ -2,13 +2,18 @@
 // homolog transfer MATCH: points and meshes carried from the model to the data, or back, by a match found before.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 #include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/carried.h"
+#include "homolog/outputs/landmark_editor.h"
+#include "homolog/outputs/morphologika.h"
 #include "homolog/outputs/read_points.h"
+#include "homolog/outputs/tps.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_mesh.h"
 #include "stored_match.h"
@@ -19,7 +24,7 @@ namespace {
 
 struct TransferOptions {
   StoredMatchOptions match;
-  std::string points, mesh, out;
+  std::string points, specimen, mesh, out;
   bool inverse = false, quiet = false;
 };
 
@@ -29,26 +34,37 @@ constexpr const char* kExamples = R"(Examples:
   homolog transfer bears/match.json --points landmarks.csv --out carried.csv
   # The same for 3D Slicer, by the second-best match
   homolog transfer bears/match.json --points landmarks.mrk.json --match 2 --out carried.mrk.json
+  # One specimen of a collection, for R (.pts of Landmark Editor and .txt of Morphologika go the same way)
+  homolog transfer bears/match.json --points collection.tps --specimen bear --out carried.tps
   # From the second bear back to the first
   homolog transfer bears/match.json --points carried.csv --inverse --out back.csv
   # The whole first bear in the shape of the second
   homolog transfer bears/match.json --mesh bear.off --out bent.ply
 
-A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json). Which part that
-is stands in parts.json beside match.json. expected_error, in the unit of the shape carried to: true errors are larger as often as
-smaller, if the match is right. In a .ply it is a property of the vertices beside quality, how surely they are covered.)";
+A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json, NA in .tps and .txt,
+9999 in .pts). Which part that is stands in parts.json beside match.json. Points of .mrk.json and .fcsv are taken to LPS, whichever system
+the file states. expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. In
+a .ply it is a property of the vertices beside quality, how surely they are covered.)";
 
-enum class Kind { csv, markups, ply };
-
-Kind kind_of(const std::string& out, bool mesh) {
-  const std::string extension = lower_extension(out);
-  if (mesh) {
-    if (extension == ".ply") return Kind::ply;
-    throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", out));
+/// Throws UsageError for a file that cannot be written, and when it is not said what to carry.
+void check_options(const TransferOptions& options) {
+  if (options.points.empty() == options.mesh.empty()) throw UsageError("transfer needs either --points or --mesh");
+  if (options.points.empty() && !options.specimen.empty()) throw UsageError("--specimen goes with --points");
+  const std::string ending = lower_extension(options.out);
+  const std::string endings[] = {".csv", ".json", ".tps", ".pts", ".txt"};
+  if (!options.points.empty() && std::find(std::begin(endings), std::end(endings), ending) == std::end(endings)) {
+    throw UsageError(fmt::format("points are written as .csv, .mrk.json, .tps, .pts or .txt, not as '{}'", options.out));
   }
-  if (extension == ".csv") return Kind::csv;
-  if (extension == ".json") return Kind::markups;
-  throw UsageError(fmt::format("points are written as .csv or .mrk.json, not as '{}'", out));
+  if (!options.mesh.empty() && ending != ".ply") throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
+}
+
+std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const std::string& shape) {
+  if (ending == ".csv") return carried_csv(landmarks);
+  const std::vector<MarkupPoint> places = carried_places(landmarks);
+  const Specimen specimen{std::filesystem::path(shape).stem().string(), places};
+  if (ending == ".tps") return tps_text(specimen);
+  if (ending == ".txt") return morphologika_text(specimen);
+  return ending == ".pts" ? pts_text(places) : markups_text(places);
 }
 
 std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
@@ -71,23 +87,26 @@ struct Carried {
   std::size_t there = 0, all = 0;
 };
 
-Carried carry_file(const MatchMap& match, const TransferOptions& options, Kind kind) {
-  const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
+Carried carry_mesh(const MatchMap& match, const std::string& file, Direction direction) {
+  const Mesh mesh = read_mesh(file);
   Carried result;
-  if (kind == Kind::ply) {
-    const Mesh mesh = read_mesh(options.mesh);
-    const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
-    for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
-    return {carried_ply(mesh, vertices), result.there, vertices.size()};
-  }
-  const auto landmarks = carry_landmarks(match, read_points(options.points), direction);
+  const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
+  for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
+  return {carried_ply(mesh, vertices), result.there, vertices.size()};
+}
+
+/// `shape`: the one that is carried to.
+Carried carry_file(const MatchMap& match, const TransferOptions& options, const std::string& shape) {
+  const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
+  if (!options.mesh.empty()) return carry_mesh(match, options.mesh, direction);
+  const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen), direction);
+  Carried result;
   for (const CarriedLandmark& landmark : landmarks) result.there += landmark.point && landmark.point->is_there();
-  return {kind == Kind::csv ? carried_csv(landmarks) : carried_markups(landmarks), result.there, landmarks.size()};
+  return {points_text(landmarks, lower_extension(options.out), shape), result.there, landmarks.size()};
 }
 
 int run_transfer(const TransferOptions& options) {
-  if (options.points.empty() == options.mesh.empty()) throw UsageError("transfer needs either --points or --mesh");
-  const Kind kind = kind_of(options.out, !options.mesh.empty());
+  check_options(options);
   Console console(options.quiet, false);
   console.stage("reading the match");
   const StoredFamily family = read_family(options.match.file);
@@ -97,14 +116,14 @@ int run_transfer(const TransferOptions& options) {
   }
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
   const MatchMap& match = chosen_match(family, options.match);
-  console.stage("carrying");
-  const Carried carried = carry_file(match, options, kind);
-  write_file(options.out, carried.text);
-  console.clear();
   const std::string& from = options.inverse ? family.data_file : family.model_file;
   const std::string& to = options.inverse ? family.model_file : family.data_file;
+  console.stage("carrying");
+  const Carried carried = carry_file(match, options, to);
+  write_file(options.out, carried.text);
+  console.clear();
   print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part\n", carried.there, carried.all,
-                           kind == Kind::ply ? "vertices" : "points", from, to, carried.all - carried.there));
+                           options.mesh.empty() ? "points" : "vertices", from, to, carried.all - carried.there));
   if (carried.there > 0) return kFound;
   print_message(fmt::format("nothing found: no point lies in the part that match {} covers; are the points those of {}?",
                             options.match.number, from));
@@ -117,10 +136,13 @@ Verb add_transfer(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("transfer", "Carry points or a mesh from the model to the data by a match found before.");
   const auto options = std::make_shared<TransferOptions>();
   add_stored_match_options(*verb, options->match);
-  verb->add_option("--points", options->points, "Points to carry: .csv with the columns x, y, z (and label), or .mrk.json.")
-      ->type_name("FILE");
+  verb->add_option("--points", options->points, fmt::format("Points to carry: {}.", readable_points))->type_name("FILE");
+  verb->add_option("--specimen", options->specimen, "Which one of a .tps or .txt that holds several: its name, or its number from 1.")
+      ->type_name("NAME");
   verb->add_option("--mesh", options->mesh, "A mesh to carry, in the coordinates of the model.")->type_name("FILE");
-  verb->add_option("--out", options->out, "Where to write: .csv or .mrk.json for points, .ply for a mesh.")->type_name("FILE")->required();
+  verb->add_option("--out", options->out, "Where to write: .csv, .mrk.json, .tps, .pts or .txt for points, .ply for a mesh.")
+      ->type_name("FILE")
+      ->required();
   verb->add_flag("--inverse", options->inverse, "Carry from the data to the model.");
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
   verb->footer(kExamples);

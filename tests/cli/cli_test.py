@@ -246,6 +246,8 @@ class Examples(Program):
             file.write("label,x,y,z\nnose,0,1.3,0.98\n")
         with open(self.path("landmarks.mrk.json"), "w") as file:
             json.dump({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "nose", "position": [0, 1.3, 0.98]}]}]}, file)
+        with open(self.path("collection.tps"), "w") as file:
+            file.write("LM3=1\n0 0 0\nID=other\nLM3=1\n0 1.3 0.98\nID=bear\n")
         lines = [line.strip() for words in ((), *((verb,) for verb in VERBS)) for line in self.run_it(*words, "--help").stdout.splitlines()]
         examples = [shlex.split(line)[1:] for line in dict.fromkeys(lines) if line.startswith("homolog ")]
         self.assertGreater(len(examples), 10)

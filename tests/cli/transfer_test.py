@@ -47,6 +47,39 @@ class Transfer(Program):
         self.assertLess(max(abs(a - b) for a, b in zip(points[0]["position"], self.HEAD)), 1e-6)
         self.assertNotIn("position", points[2])
 
+    def test_formats_of_morphometrics(self):
+        with open(self.path("points.fcsv"), "w") as file:
+            file.write("# Markups fiducial file version = 4.13\n# CoordinateSystem = 0\n")
+            file.write("# columns = id,x,y,z,ow,ox,oy,oz,vis,sel,lock,label,desc,associatedNodeID\n")
+            for i, (x, y, z) in enumerate((self.HEAD, self.FOOT)):
+                file.write(f"{i},{-x},{-y},{z},0,0,0,1,1,1,0,p{i},,\n")
+        for name in ("carried.tps", "carried.pts", "carried.txt"):
+            done = self.run_it("transfer", "out/match.json", "--points", "points.fcsv", "--out", name)
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            missing = "p1 9999 9999 9999" if name.endswith(".pts") else "NA NA NA"
+            lines = self.read(name).splitlines()
+            self.assertIn(missing, lines)
+            head = lines[lines.index(missing) - 1].split()[-3:]
+            self.assertLess(self.distance(dict(zip("xyz", head)), bear.turned(self.HEAD)), 0.5)
+            done = self.run_it("transfer", "out/match.json", "--points", name, "--inverse", "--out", "back.csv")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            back = list(self.carried("back.csv").values())
+            self.assertLess(self.distance(back[0], self.HEAD), 1e-6)
+            self.assertEqual(back[1]["x"], "")
+        self.assertIn("ID=bear_bis\n", self.read("carried.tps"))
+
+    def test_one_specimen_of_several(self):
+        with open(self.path("all.tps"), "w") as file:
+            file.write("".join("LM3=1\n{} {} {}\nID=b{}\n".format(*x, i) for i, x in enumerate((self.FOOT, self.HEAD))))
+        transfer = ("transfer", "out/match.json", "--points", "all.tps", "--out", "a.csv")
+        self.expect_message(3, "it holds 2 specimens; choose one by its name or number with --specimen: 1 b0, 2 b1", *transfer)
+        self.expect_message(3, "it holds no specimen 'b7'", *transfer, "--specimen", "b7")
+        self.expect_message(3, "leave --specimen out", "transfer", "out/match.json", "--points", "points.csv", "--out", "a.csv", "--specimen", "1")
+        self.expect_message(2, "--specimen goes with --points", "transfer", "out/match.json", "--mesh", "bear.off", "--out", "a.ply", "--specimen", "1")
+        done = self.run_it(*transfer, "--specimen", "b1")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertLess(self.distance(self.carried("a.csv")["1"], bear.turned(self.HEAD)), 0.5)
+
     def test_mesh(self):
         done = self.run_it("transfer", "out/match.json", "--mesh", "bear.off", "--out", "bent.ply")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
@@ -59,7 +92,7 @@ class Transfer(Program):
         match, points = "out/match.json", ("--points", "points.csv")
         self.expect_message(2, "--out is required", "transfer", match, *points)
         self.expect_message(2, "either --points or --mesh", "transfer", match, "--out", "a.csv")
-        self.expect_message(2, ".csv or .mrk.json", "transfer", match, *points, "--out", "a.ply")
+        self.expect_message(2, ".csv, .mrk.json, .tps, .pts or .txt", "transfer", match, *points, "--out", "a.ply")
         self.expect_message(2, "written as .ply", "transfer", match, "--mesh", "bear.off", "--out", "a.obj")
         self.expect_message(2, "--match is 99", "transfer", match, *points, "--match", "99", "--out", "a.csv")
         self.expect_message(3, "out: this is a directory", "transfer", "out", *points, "--out", "a.csv")

@@ -31,11 +31,16 @@ Target metaimage();
 Target match_json();
 Target points_csv();
 Target markups();
+Target fcsv();
+Target pts();
+Target tps();
+Target morphologika();
 Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(), obj(), stl(), ply(), nifti(), nrrd(), metaimage(), match_json(), points_csv(), markups(), parameters(), part()};
+  return {off(),        obj(),     stl(),  ply(), nifti(), nrrd(),         metaimage(),  match_json(),
+          points_csv(), markups(), fcsv(), pts(), tps(),   morphologika(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {

@@ -38,8 +38,8 @@ TEST(CarriedCsv, CanBeCarriedOn) {
   EXPECT_FALSE(points[1].position);
 }
 
-TEST(CarriedMarkups, MarksMissingPointsAsUndefined) {
-  const json points = json::parse(carried_markups(landmarks))["markups"][0]["controlPoints"];
+TEST(CarriedPlaces, MarksMissingPointsAsUndefined) {
+  const json points = json::parse(markups_text(carried_places(landmarks)))["markups"][0]["controlPoints"];
   EXPECT_EQ(points[0]["position"], json({1.0, 2.0, 0.5}));
   EXPECT_EQ(points[0]["description"], "expected error 0.25, coverage 0.750");
   for (int i : {1, 2, 3}) {

@@ -3,31 +3,21 @@
 
 #include <gmock/gmock.h>
 
-#include "homolog/base/errors.h"
 #include "homolog/outputs/landmarks.h"
 #include "outputs/match_fixture.h"
+#include "outputs/message_of.h"
 
 namespace homolog {
 namespace {
 
 using testing::HasSubstr;
 
-template <class Read>
-std::string message(const Read& read) {
-  try {
-    read();
-  } catch (const FileError& error) {
-    return error.what();
-  }
-  return "";
-}
-
 std::string csv_message(const std::string& text) {
-  return message([&] { read_points_csv(text, "a.csv"); });
+  return message_of([&] { read_points_csv(text, "a.csv"); });
 }
 
 std::string markups_message(const std::string& text) {
-  return message([&] { read_markups(text, "a.mrk.json"); });
+  return message_of([&] { read_markups(text, "a.mrk.json"); });
 }
 
 TEST(ReadPointsCsv, ReadsBackWhatLandmarksWrite) {

@@ -3,19 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "homolog/outputs/markups.h"
+#include "homolog/outputs/csv_cells.h"
 #include "homolog/outputs/ply.h"
 
 namespace homolog {
 namespace {
-
-/// A cell as CSV readers take it for one: quoted if it holds what would end it.
-std::string cell(const std::string& text) {
-  if (text.find_first_of(",\"\n") == text.npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
-  return quoted + "\"";
-}
 
 std::string description(const CarriedLandmark& landmark) {
   if (!landmark.point) return "missing on the shape it comes from";
@@ -29,7 +21,7 @@ std::string description(const CarriedLandmark& landmark) {
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks) {
   std::string text = "label,x,y,z,expected_error,coverage\n";
   for (const auto& [label, point] : landmarks) {
-    text += cell(label);
+    text += csv_cell(label);
     if (point && point->is_there()) {
       const Vec3& x = point->position;
       text += fmt::format(",{},{},{},{},", x.x(), x.y(), x.z(), point->expected_error);
@@ -41,13 +33,13 @@ std::string carried_csv(const std::vector<CarriedLandmark>& landmarks) {
   return text;
 }
 
-std::string carried_markups(const std::vector<CarriedLandmark>& landmarks) {
+std::vector<MarkupPoint> carried_places(const std::vector<CarriedLandmark>& landmarks) {
   std::vector<MarkupPoint> points;
   for (const CarriedLandmark& landmark : landmarks) {
     const bool is_there = landmark.point && landmark.point->is_there();
     points.push_back({landmark.label, description(landmark), is_there ? std::optional(landmark.point->position) : std::nullopt});
   }
-  return markups_text(points);
+  return points;
 }
 
 std::string carried_ply(const Mesh& mesh, const std::vector<CarriedPoint>& vertices) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Carried points and meshes as files: CSV, 3D Slicer markups, PLY. A missing point keeps its label and its row, without coordinates.
+// Carried points and meshes as files: CSV, PLY, and whatever writes points. A missing point keeps its label and its row, without
+// coordinates.
 #pragma once
 
 #include <optional>
@@ -7,6 +8,7 @@
 #include <vector>
 
 #include "homolog/match/transfer.h"
+#include "homolog/outputs/markups.h"
 #include "homolog/shape/mesh.h"
 
 namespace homolog {
@@ -19,8 +21,8 @@ struct CarriedLandmark {
 /// label,x,y,z,expected_error,coverage; cells of what is missing or not known stay empty.
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks);
 
-/// Missing points have positionStatus "undefined"; the description tells expected error and coverage.
-std::string carried_markups(const std::vector<CarriedLandmark>& landmarks);
+/// Labels and places alone, for the formats that tell no more; the description tells expected error and coverage.
+std::vector<MarkupPoint> carried_places(const std::vector<CarriedLandmark>& landmarks);
 
 /// The mesh with its vertices where `positions` are; properties `quality` (coverage, 1 if it is not known, 0 without an inverse) and
 /// `expected_error`.

@@ -8,33 +8,17 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
+#include "homolog/outputs/csv_cells.h"
+#include "homolog/outputs/landmark_editor.h"
+#include "homolog/outputs/landmark_position.h"
+#include "homolog/outputs/morphologika.h"
+#include "homolog/outputs/read_fcsv.h"
+#include "homolog/outputs/specimen.h"
+#include "homolog/outputs/tps.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
-
-/// The cells of a line; a quoted cell may hold commas, and quotes written twice.
-std::vector<std::string> split(Text& text, std::string_view line) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    if (line[i] == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"') {
-      cells.back() += line[i++];
-    } else if (line[i] == '"') {
-      quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
-      cells.emplace_back();
-    } else {
-      cells.back() += line[i];
-    }
-  }
-  if (quoted) fail(text, "a quotation mark is not closed");
-  for (std::string& cell : cells) {
-    cell.erase(0, cell.find_first_not_of(" \t"));
-    cell.erase(cell.find_last_not_of(" \t") + 1);
-  }
-  return cells;
-}
 
 struct Columns {
   std::array<std::size_t, 3> position;
@@ -44,7 +28,7 @@ struct Columns {
 
 Columns read_header(Text& text, std::string_view line) {
   if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // a byte order mark, as spreadsheets write it
-  const std::vector<std::string> names = split(text, line);
+  const std::vector<std::string> names = csv_cells(text, line);
   const auto find = [&](const char* name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
   Columns columns{{find("x"), find("y"), find("z")}, {}, names.size()};
   if (std::max({columns.position[0], columns.position[1], columns.position[2]}) == names.size()) {
@@ -54,27 +38,20 @@ Columns read_header(Text& text, std::string_view line) {
   return columns;
 }
 
-bool is_missing(const std::string& cell) { return cell.empty() || cell == "NA"; }
-
 MarkupPoint read_row(Text& text, const std::vector<std::string>& cells, const Columns& columns) {
   if (cells.size() != columns.count) fail(text, fmt::format("{} cells, but the header has {}", cells.size(), columns.count));
-  MarkupPoint point;
-  if (columns.label) point.label = cells[*columns.label];
-  Vec3 position;
-  int missing = 0;
-  for (int axis = 0; axis < 3; ++axis) {
-    const std::string& cell = cells[columns.position[axis]];
-    if (is_missing(cell)) {
-      ++missing;
-      continue;
-    }
-    std::string_view rest = cell;
-    position[axis] = take_number(text, rest, "a coordinate");
-    if (!take_word(rest).empty()) fail(text, fmt::format("'{}' is not a number, but a coordinate must be one", shown(cell)));
-  }
-  if (missing == 0) point.position = position;
-  if (missing == 1 || missing == 2) fail(text, "some coordinates are missing, but not all; a missing point has none");
-  return point;
+  const auto& [x, y, z] = columns.position;
+  return {columns.label ? cells[*columns.label] : "", "", landmark_position(text, {cells[x], cells[y], cells[z]})};
+}
+
+using Read = std::vector<MarkupPoint> (*)(const std::string& text, const std::string& file);
+
+Read reader_of(const std::string& extension) {
+  if (extension == ".csv") return read_points_csv;
+  if (extension == ".json") return read_markups;
+  if (extension == ".fcsv") return read_fcsv;
+  if (extension == ".pts") return read_pts;
+  return nullptr;
 }
 
 }  // namespace
@@ -86,17 +63,22 @@ std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::
   const Columns columns = read_header(text, line);
   std::vector<MarkupPoint> points;
   while (next_line(text, line)) {
-    if (line.find_first_not_of(" \t") != line.npos) points.push_back(read_row(text, split(text, line), columns));
+    if (line.find_first_not_of(" \t") != line.npos) points.push_back(read_row(text, csv_cells(text, line), columns));
   }
   return points;
 }
 
-std::vector<MarkupPoint> read_points(const std::filesystem::path& path) {
-  const std::string extension = lower_extension(path);
-  if (extension == ".csv") return read_points_csv(read_file(path), path.string());
-  if (extension == ".json") return read_markups(read_file(path), path.string());
+std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen) {
+  const std::string extension = lower_extension(path), file = path.string();
+  if (extension == ".tps") return chosen_specimen(read_tps(read_file(path), file), specimen, file).points;
+  if (extension == ".txt") return chosen_specimen(read_morphologika(read_file(path), file), specimen, file).points;
+  const auto read = reader_of(extension);
   check_file(path);
-  throw FileError(fmt::format("{}: points are read from .csv and .mrk.json; save them as one of these", path.string()));
+  if (read == nullptr) {
+    throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
+  }
+  if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave --specimen out", file));
+  return read(read_file(path), file);
 }
 
 }  // namespace homolog

@@ -10,11 +10,14 @@
 
 namespace homolog {
 
-/// Points of a .csv file (a header with the columns x, y, z and perhaps label, in any order; others are left out; empty cells or NA:
-/// missing) or of a .mrk.json or .json one (markups.h). Labels are kept, order too. Throws FileError, naming the line.
-std::vector<MarkupPoint> read_points(const std::filesystem::path& path);
+inline constexpr const char* readable_points = ".csv, .mrk.json, .fcsv, .tps, .pts (Landmark Editor) and .txt (Morphologika)";
 
-/// The same for CSV text.
+/// Points of a .csv file (a header with the columns x, y, z and perhaps label, in any order; others are left out; empty cells or NA:
+/// missing), of a .mrk.json or .json one (markups.h), or of an .fcsv, .tps, .pts or .txt (read_fcsv.h, tps.h, landmark_editor.h,
+/// morphologika.h). Labels are kept, order too. `specimen`: which one of a .tps or .txt (specimen.h). Throws FileError, naming the line.
+std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen = "");
+
+/// Points of CSV text.
 std::vector<MarkupPoint> read_points_csv(const std::string& text, const std::string& file);
 
 }  // namespace homolog

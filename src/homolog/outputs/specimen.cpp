@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/specimen.h"
+
+#include <fmt/format.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/text.h"
+
+namespace homolog {
+namespace {
+
+constexpr std::size_t most_told = 6;
+
+std::string names_of(const std::vector<Specimen>& specimens) {
+  std::string names;
+  for (std::size_t i = 0; i < specimens.size() && i < most_told; ++i) {
+    names += fmt::format("{}{} {}", i == 0 ? "" : ", ", i + 1, specimens[i].name.empty() ? "(no name)" : shown(specimens[i].name));
+  }
+  return specimens.size() > most_told ? names + ", ..." : names;
+}
+
+}  // namespace
+
+const Specimen& chosen_specimen(const std::vector<Specimen>& specimens, const std::string& which, const std::string& file) {
+  if (specimens.empty()) throw FileError(fmt::format("{}: it holds no landmarks; export them again", file));
+  if (which.empty()) {
+    if (specimens.size() == 1) return specimens[0];
+    throw FileError(fmt::format("{}: it holds {} specimens; choose one by its name or number with --specimen: {}", file, specimens.size(),
+                                names_of(specimens)));
+  }
+  for (const Specimen& specimen : specimens) {
+    if (specimen.name == which) return specimen;
+  }
+  for (std::size_t i = 0; i < specimens.size(); ++i) {
+    if (fmt::format("{}", i + 1) == which) return specimens[i];
+  }
+  throw FileError(fmt::format("{}: it holds no specimen '{}', but {}", file, shown(which), names_of(specimens)));
+}
+
+std::string one_line(const std::string& name) {
+  std::string line = name;
+  for (char& c : line) {
+    if (static_cast<unsigned char>(c) < ' ') c = ' ';
+  }
+  line.erase(0, line.find_first_not_of(' '));
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line;
+}
+
+}  // namespace homolog
