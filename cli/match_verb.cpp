@@ -27,8 +27,8 @@ constexpr const char* kExamples = R"(Examples:
   homolog match bear.off bear_bis.off --model-part "y>0.5"
   # Mirror images are not wanted; the result as JSON
   homolog match bear.off bear_bis.off --mirror forbid --json
-  # The paper's choices on a coarser grid
-  homolog match bear.off bear_bis.off --preset paper --resolution 96)";
+  # On a coarser grid, in less time
+  homolog match bear.off bear_bis.off --resolution 96)";
 
 int run_match(const MatchOptions& options) {
   if (options.self) {

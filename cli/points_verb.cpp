@@ -27,7 +27,9 @@ constexpr const char* kExamples = R"(Examples:
   # The salient points of a bear as files, and as pictures in bear_points/report.html
   homolog points bear.off --out bear_points
   # Those of one part, as JSON
-  homolog points bear.off --part "x=0.2..0.8,y>0.4" --json)";
+  homolog points bear.off --part "x=0.2..0.8,y>0.4" --json
+  # Those that the paper's choices find
+  homolog points bear.off --preset paper)";
 
 std::string points_table(const std::vector<Landmark>& landmarks) {
   if (landmarks.empty()) return "";
