@@ -6,7 +6,6 @@
 
 #include "exit_codes.h"
 #include "family_results.h"
-#include "part.h"
 #include "self_match.h"
 #include "verbs.h"
 
@@ -15,7 +14,8 @@ namespace {
 
 struct MatchOptions {
   CommonOptions common;
-  std::string model, data, model_part, data_part;
+  std::string model, data;
+  std::optional<Box> model_part, data_part;
   Label model_label, data_label;
   bool self = false;
 };
@@ -32,16 +32,17 @@ constexpr const char* kExamples = R"(Examples:
 
 int run_match(const MatchOptions& options) {
   if (options.self) {
-    if (!options.data.empty() || !options.data_part.empty()) throw UsageError("with --self there is only one shape and no DATA");
+    if (!options.data.empty() || options.data_part || options.data_label) {
+      throw UsageError("with --self there is only one shape and no DATA");
+    }
     return match_with_itself(options.model, options.model_part, options.model_label, options.common);
   }
   if (options.data.empty()) throw UsageError("match needs a second file, DATA, or --self");
   const Params params = params_of(options.common);
-  const auto model_part = parse_part(options.model_part), data_part = parse_part(options.data_part);
   const ResultFolder folder(options.common.out);
   Console console(options.common.quiet, options.common.timing);
-  const DescribedFile model = describe_file(options.model, model_part, params, options.common.limits, console, options.model_label);
-  const DescribedFile data = describe_file(options.data, data_part, params, options.common.limits, console, options.data_label);
+  const DescribedFile model = describe_file(options.model, options.model_part, params, options.common.limits, console, options.model_label);
+  const DescribedFile data = describe_file(options.data, options.data_part, params, options.common.limits, console, options.data_label);
   console.stage("matching");
   return deliver(model, data, match_shapes(model.shape, data.shape, params, &console.watch()), params, options.common, folder, console);
 }
@@ -54,8 +55,8 @@ Verb add_match(CLI::App& program) {
   verb->add_option("MODEL", options->model, fmt::format("The shape to be found: {}.", kShapeHelp))->type_name("")->required();
   verb->add_option("DATA", options->data, "The shape to search.")->type_name("");
   verb->add_flag("--self", options->self, "Match MODEL with itself, as 'homolog symmetry' does.");
-  verb->add_option("--model-part", options->model_part, kPartHelp)->type_name("SPEC");
-  verb->add_option("--data-part", options->data_part, kPartHelp)->type_name("SPEC");
+  add_part_option(*verb, "--model-part", options->model_part);
+  add_part_option(*verb, "--data-part", options->data_part);
   verb->add_option("--model-label", options->model_label, kLabelHelp)->type_name("N");
   verb->add_option("--data-label", options->data_label, kLabelHelp)->type_name("N");
   add_common_options(*verb, options->common);

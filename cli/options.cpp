@@ -6,6 +6,7 @@
 #include <charconv>
 
 #include "exit_codes.h"
+#include "part.h"
 
 namespace homolog::cli {
 namespace {
@@ -46,6 +47,13 @@ CLI::Option* add_out_option(CLI::App& verb, std::string& out) {
 
 void add_threads_option(CLI::App& verb, std::string& threads) {
   verb.add_option("--threads", threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
+}
+
+void add_part_option(CLI::App& verb, const char* name, std::optional<Box>& part) {
+  verb.add_option_function<std::string>(
+          name, [&part](const std::string& text) { part = parse_part(text); },
+          "Use only this part, in shares of the bounding box: y>0.5, or x<0.3,z>0.2, or y=0.4..0.8.")
+      ->type_name("SPEC");
 }
 
 void add_common_options(CLI::App& verb, CommonOptions& options) {

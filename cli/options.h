@@ -4,9 +4,11 @@
 
 #include <CLI/CLI.hpp>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "homolog/base/parameters.h"
+#include "homolog/shape/mesh.h"
 #include "input_limits.h"
 
 namespace homolog::cli {
@@ -29,6 +31,8 @@ void add_preset_option(CLI::App& verb, ParameterOptions& options);
 void add_common_options(CLI::App& verb, CommonOptions& options);
 CLI::Option* add_out_option(CLI::App& verb, std::string& out);
 void add_threads_option(CLI::App& verb, std::string& threads);
+/// An option such as --part; an empty text is refused, for a forgotten shell variable does not mean the whole.
+void add_part_option(CLI::App& verb, const char* name, std::optional<Box>& part);
 
 /// The preset with every given flag on top, wherever they stand. Throws ParamError or UsageError.
 Params params_of(const ParameterOptions& options);

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string_view>
 
 #include "exit_codes.h"
@@ -37,8 +38,7 @@ bool cut(Box& box, std::string_view clause) {
 
 }  // namespace
 
-std::optional<Box> parse_part(const std::string& text) {
-  if (text.empty()) return {};
+Box parse_part(const std::string& text) {
   Box box{Vec3::Zero(), Vec3::Ones()};
   std::string_view rest = text;
   while (true) {

@@ -10,7 +10,6 @@
 #include "homolog/outputs/match_json.h"
 #include "homolog/outputs/report.h"
 #include "options.h"
-#include "part.h"
 #include "result_folder.h"
 #include "verbs.h"
 
@@ -19,7 +18,8 @@ namespace {
 
 struct PointsOptions {
   CommonOptions common;
-  std::string shape, part;
+  std::string shape;
+  std::optional<Box> part;
   Label label;
 };
 
@@ -44,10 +44,9 @@ std::string points_table(const std::vector<Landmark>& landmarks) {
 
 int run_points(const PointsOptions& options) {
   const Params params = params_of(options.common);
-  const auto part = parse_part(options.part);
   const ResultFolder folder(options.common.out);
   Console console(options.common.quiet, options.common.timing);
-  const DescribedFile file = describe_file(options.shape, part, params, options.common.limits, console, options.label);
+  const DescribedFile file = describe_file(options.shape, options.part, params, options.common.limits, console, options.label);
 
   console.stage("writing results");
   const auto landmarks = point_landmarks(file.shape);
@@ -74,7 +73,7 @@ Verb add_points(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("points", "Find the salient points of a shape.");
   const auto options = std::make_shared<PointsOptions>();
   verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
-  verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  add_part_option(*verb, "--part", options->part);
   verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
   add_common_options(*verb, options->common);
   verb->footer(kExamples);

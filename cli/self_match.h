@@ -9,6 +9,6 @@
 namespace homolog::cli {
 
 /// Returns the exit code.
-int match_with_itself(const std::string& path, const std::string& part, const Label& label, const CommonOptions& options);
+int match_with_itself(const std::string& path, const std::optional<Box>& part, const Label& label, const CommonOptions& options);
 
 }  // namespace homolog::cli

@@ -5,7 +5,6 @@
 #include <memory>
 
 #include "family_results.h"
-#include "part.h"
 #include "self_match.h"
 #include "verbs.h"
 
@@ -14,7 +13,8 @@ namespace {
 
 struct SymmetryOptions {
   CommonOptions common;
-  std::string shape, part;
+  std::string shape;
+  std::optional<Box> part;
   Label label;
 };
 
@@ -26,12 +26,11 @@ constexpr const char* kExamples = R"(Examples:
 
 }  // namespace
 
-int match_with_itself(const std::string& path, const std::string& part, const Label& label, const CommonOptions& options) {
+int match_with_itself(const std::string& path, const std::optional<Box>& part, const Label& label, const CommonOptions& options) {
   const Params params = params_of(options);
-  const auto box = parse_part(part);
   const ResultFolder folder(options.out);
   Console console(options.quiet, options.timing);
-  const DescribedFile file = describe_file(path, box, params, options.limits, console, label);
+  const DescribedFile file = describe_file(path, part, params, options.limits, console, label);
   console.stage("matching");
   return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console);
 }
@@ -40,7 +39,7 @@ Verb add_symmetry(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("symmetry", "Find a shape's symmetries and repeated parts.");
   const auto options = std::make_shared<SymmetryOptions>();
   verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
-  verb->add_option("--part", options->part, kPartHelp)->type_name("SPEC");
+  add_part_option(*verb, "--part", options->part);
   verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
   add_common_options(*verb, options->common);
   verb->footer(kExamples);

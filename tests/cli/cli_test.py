@@ -45,6 +45,7 @@ class Usage(Program):
         self.expect_message(2, "MODEL is required", "match")
         self.expect_message(2, "DATA", "match", "bear.off")
         self.expect_message(2, "--self", "match", "bear.off", "bear.off", "--self")
+        self.expect_message(2, "--self", "match", "bear.off", "--self", "--data-label", "1")
         self.expect_message(2, "one file too many: 'c'", "match", "a", "b", "c")
         self.expect_message(2, "--out needs a value", "points", "bear.off", "--out")
 
@@ -58,7 +59,7 @@ class Usage(Program):
         self.expect_message(2, "--threads is '-1'", "points", "bear.off", "--threads", "-1")
 
     def test_wrong_parts(self):
-        for part in ("y", "y>", "w>0.5", "y>1.5", "y>-1", "y>0.5,", ",", "y=0.2", "y=0.2..", "y=1..2", "y>0.5z<1", "y>nan"):
+        for part in ("", "y", "y>", "w>0.5", "y>1.5", "y>-1", "y>0.5,", ",", "y=0.2", "y=0.2..", "y=1..2", "y>0.5z<1", "y>nan"):
             self.expect_message(2, f"part '{part}' is not understood", "points", "bear.off", "--part", part)
         self.expect_message(2, "leaves nothing", "points", "bear.off", "--part", "y>0.6,y<0.5")
 

@@ -10,13 +10,10 @@ namespace homolog::cli {
 namespace {
 
 void expect_box(const char* text, const Vec3& min, const Vec3& max) {
-  const std::optional<Box> box = parse_part(text);
-  ASSERT_TRUE(box) << text;
-  EXPECT_EQ(box->min, min) << text;
-  EXPECT_EQ(box->max, max) << text;
+  const Box box = parse_part(text);
+  EXPECT_EQ(box.min, min) << text;
+  EXPECT_EQ(box.max, max) << text;
 }
-
-TEST(Part, NoTextIsNoPart) { EXPECT_FALSE(parse_part("")); }
 
 TEST(Part, HalfSpacesAndBandsAreSharesOfTheBox) {
   expect_box("y>0.5", {0, 0.5, 0}, {1, 1, 1});
@@ -32,8 +29,8 @@ TEST(Part, ClausesAreCutOneAfterAnother) {
 }
 
 TEST(Part, WhatIsNotUnderstoodIsRefusedWithTheTextAndAnExample) {
-  for (const char* text : {"y", "y>", "w>0.5", "Y>0.5", "y>1.5", "y>-1", "y>0.5,", ",", "y=0.2", "y=0.2..", "y=..0.2", "y=1..2", "y>0.5z<1",
-                           "y>nan", "y>inf", "y >0.5", "y>0,5", "y>=0.5"}) {
+  for (const char* text : {"", "y", "y>", "w>0.5", "Y>0.5", "y>1.5", "y>-1", "y>0.5,", ",", "y=0.2", "y=0.2..", "y=..0.2", "y=1..2",
+                           "y>0.5z<1", "y>nan", "y>inf", "y >0.5", "y>0,5", "y>=0.5"}) {
     try {
       parse_part(text);
       ADD_FAILURE() << text;

@@ -9,10 +9,9 @@ namespace {
 
 void run(const std::string& bytes) {
   try {
-    const std::optional<Box> box = cli::parse_part(bytes);
-    if (!box) return;
+    const Box box = cli::parse_part(bytes);
     for (int axis = 0; axis < 3; ++axis) {
-      require(box->min[axis] >= 0 && box->min[axis] < box->max[axis] && box->max[axis] <= 1, "a part is a box of shares");
+      require(box.min[axis] >= 0 && box.min[axis] < box.max[axis] && box.max[axis] <= 1, "a part is a box of shares");
     }
   } catch (const cli::UsageError&) {
     return;
