@@ -63,7 +63,7 @@ class LyingFiles(Program):
         for bad in (b"nan", b"-inf", b"1e999"):
             self.refuse("number.off", bear.off(v, f).encode().replace(b"1.5 0.75 0.25", bad + b" 0 0"), "finite number")
         self.refuse("number.glb", mesh_files.glb(v, f).replace(struct.pack("<3f", 1.5, 0.75, 0.25), struct.pack("<3f", 1.5, float("nan"), 0)), "")
-        self.refuse("far.off", bear.off([*v[:-1], (1.7e308, 0, 0)], f).encode(), "")
+        self.refuse("far.off", bear.off([*v[:-1], (1.7e308, 0, 0)], f).encode(), "too large for numbers")
         self.refuse("flat.off", bear.off([(x * 1e-300, 1e300, z) for x, _, z in v], f).encode(), "")
 
     def test_scale_does_not_matter_from_tiny_to_huge(self):

@@ -58,7 +58,7 @@ Box grown(const Box& box, double margin, const Box& limits) {
 
 /// A tight grid of cubic voxels around a box and in its middle, with a margin of one voxel.
 GridFrame make_frame(const Box& box, int resolution) {
-  if (!(box.min.array() <= box.max.array()).all()) {
+  if ((box.min.array() > box.max.array()).any()) {  // what is not a number is told below
     throw ShapeError("there is nothing of the shape in this part of its box; choose a larger part");
   }
   GridFrame frame;
