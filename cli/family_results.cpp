@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "exit_codes.h"
 #include "homolog/base/parallel.h"
 #include "homolog/outputs/landmarks.h"
@@ -17,7 +20,7 @@ std::string family_table(const Family& family) {
   std::string table = "rank  pairs  confidence  handedness     scale   bending   chamfer  of model  of data\n";
   int rank = 0;
   for (const Match& match : family.matches) {
-    table += fmt::format("{:4}  {:5}  {:10.2f}  {:10}  {:8.4g}  {:8.4f}  {:8.4f}  {:6.0f} %  {:5.0f} %\n", ++rank, match.pairs.size(),
+    table += fmt::format("{:4}  {:5}  {:10.2f}  {:10}  {:#8.4g}  {:8.4f}  {:8.4f}  {:6.0f} %  {:5.0f} %\n", ++rank, match.pairs.size(),
                          match.confidence, handedness_name(match.handedness), match.similarity.scale, match.bending, match.chamfer,
                          100 * match.model_coverage, 100 * match.data_coverage);
   }
@@ -25,13 +28,15 @@ std::string family_table(const Family& family) {
 }
 
 std::string why_nothing(const StageCounts& counts) {
-  long before = 0;
-  for (const auto& [stage, count] : counts.stages) {
-    if (count == 0 && before == 0) return fmt::format("nothing found: the stage '{}' had nothing to begin with", stage);
-    if (count == 0) return fmt::format("nothing found: the last {} candidates died at the stage '{}'", before, stage);
-    before = count;
+  const auto& stages = counts.stages;
+  auto died = stages.end();  // from the end: some sets grow without points, so a stage may be empty before one that is not
+  while (died != stages.begin() && std::prev(died)->second == 0) --died;
+  if (died - stages.begin() > 2) {
+    return fmt::format("nothing found: the last {} {} died at the stage '{}'", std::prev(died)->second, std::prev(died)->first,
+                       died->first);
   }
-  return "nothing found";
+  const auto empty = std::find_if(stages.begin(), stages.end(), [](const auto& stage) { return stage.second == 0; });
+  return fmt::format("nothing found: the stage '{}' gave none", empty->first);
 }
 
 namespace {

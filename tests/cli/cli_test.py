@@ -236,6 +236,9 @@ class Results(Program):
         done = self.run_it("match", "plate.off", "bear.off", "--threshold", "1", "--out", "out", *COARSE)
         self.assertEqual(done.returncode, 1, done.stderr)
         self.assertRegex(done.stderr, r"\Ahomolog: nothing found: [^\n]*stage[^\n]*\n\Z")
+        counts = json.loads(self.read("out", "match.json"))["counts"]
+        alive = [(count, name) for name, count in counts.items() if count][-1]
+        self.assertIn("%d %s died at the stage" % alive if alive[1] != "data points" else "gave none", done.stderr)
         self.assertEqual(json.loads(self.read("out", "match.json"))["matches"], [])
         self.assertEqual(self.landmark_labels("model"), [])
         self.assertEqual(set(os.listdir(self.path("out"))), MATCH_FILES)
