@@ -159,3 +159,21 @@ test('a phone shows everything without scrolling sideways', async (t) => {
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   done();
 });
+
+test('in a window of any width the controls stay inside their rows and round ones stay round', async (t) => {
+  const { page, done } = await open(t, 'match.html');
+  for (const width of [390, 800, 900, 1400]) {
+    await page.setViewportSize({ width, height: 600 });
+    const outside = await page.evaluate(() => ['header', '#toolbar', '#footer'].flatMap((name) => {
+      const row = document.querySelector(name).getBoundingClientRect();
+      return [...document.querySelectorAll(`${name} :is(button, select, input, output, span)`)].filter((control) => {
+        const box = control.getBoundingClientRect();
+        return box.left < row.left || box.right > row.right - 10;
+      }).map((control) => control.outerHTML);
+    }));
+    assert.deepEqual(outside, [], `at ${width}`);
+    const play = await page.locator('#play').boundingBox();
+    assert.equal(play.width, play.height);
+  }
+  done();
+});
