@@ -17,6 +17,7 @@
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_mesh.h"
 #include "stored_match.h"
+#include "transfer_attributes.h"
 #include "verbs.h"
 
 namespace homolog::cli {
@@ -25,6 +26,7 @@ namespace {
 struct TransferOptions {
   StoredMatchOptions match;
   std::string points, specimen, mesh, out;
+  AttributeOptions attributes;
   bool inverse = false, quiet = false;
 };
 
@@ -40,16 +42,26 @@ constexpr const char* kExamples = R"(Examples:
   homolog transfer bears/match.json --points carried.csv --inverse --out back.csv
   # The whole first bear in the shape of the second
   homolog transfer bears/match.json --mesh bear.off --out bent.ply
+  # The colours, values and labels of a painted copy of the first bear, onto the mesh of the second
+  homolog transfer bears/match.json --attributes painted.ply --onto bear_bis.off --out painted_bis.ply
+  # Its UVs and materials, onto the mesh beside the match: the .obj, its .mtl and its pictures
+  homolog transfer bears/match.json --attributes painted.obj --out painted_bis.obj
 
 A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json, NA in .tps and .txt,
 9999 in .pts). Which part that is stands in parts.json beside match.json. Points of .mrk.json and .fcsv are taken to LPS, whichever system
 the file states. expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. In
-a .ply it is a property of the vertices beside quality, how surely they are covered.)";
+a .ply it is a property of the vertices beside quality, how surely they are covered.
+
+--attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
+triangle's corners, a label is the nearest one's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
+has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried'.)";
 
 /// Throws UsageError for a file that cannot be written, and when it is not said what to carry.
 void check_options(const TransferOptions& options) {
-  if (options.points.empty() == options.mesh.empty()) throw UsageError("transfer needs either --points or --mesh");
+  const int given = !options.points.empty() + !options.mesh.empty() + !options.attributes.from.empty();
+  if (given != 1) throw UsageError("transfer needs either --points or --mesh or --attributes");
   if (options.points.empty() && !options.specimen.empty()) throw UsageError("--specimen goes with --points");
+  check_options(options.attributes, options.out);
   const std::string ending = lower_extension(options.out);
   const std::string endings[] = {".csv", ".json", ".tps", ".pts", ".txt"};
   if (!options.points.empty() && std::find(std::begin(endings), std::end(endings), ending) == std::end(endings)) {
@@ -116,6 +128,10 @@ int run_transfer(const TransferOptions& options) {
   }
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
   const MatchMap& match = chosen_match(family, options.match);
+  if (!options.attributes.from.empty()) {
+    const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
+    return transfer_attributes({options.match, options.attributes, options.out, direction}, family, match, console);
+  }
   const std::string& from = options.inverse ? family.data_file : family.model_file;
   const std::string& to = options.inverse ? family.model_file : family.data_file;
   console.stage("carrying");
@@ -133,14 +149,16 @@ int run_transfer(const TransferOptions& options) {
 }  // namespace
 
 Verb add_transfer(CLI::App& program) {
-  CLI::App* verb = program.add_subcommand("transfer", "Carry points or a mesh from the model to the data by a match found before.");
+  CLI::App* verb = program.add_subcommand(
+      "transfer", "Carry points, a mesh, or what is painted on one, from the model to the data by a match found before.");
   const auto options = std::make_shared<TransferOptions>();
   add_stored_match_options(*verb, options->match);
   verb->add_option("--points", options->points, fmt::format("Points to carry: {}.", readable_points))->type_name("FILE");
   verb->add_option("--specimen", options->specimen, "Which one of a .tps or .txt that holds several: its name, or its number from 1.")
       ->type_name("NAME");
   verb->add_option("--mesh", options->mesh, "A mesh to carry, in the coordinates of the model.")->type_name("FILE");
-  verb->add_option("--out", options->out, "Where to write: .csv, .mrk.json, .tps, .pts or .txt for points, .ply for a mesh.")
+  add_attribute_options(*verb, options->attributes);
+  verb->add_option("--out", options->out, "Where to write: .csv, .mrk.json, .tps, .pts or .txt for points, .ply for a mesh and attributes.")
       ->type_name("FILE")
       ->required();
   verb->add_flag("--inverse", options->inverse, "Carry from the data to the model.");

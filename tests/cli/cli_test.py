@@ -250,6 +250,16 @@ class Examples(Program):
             file.write("label,x,y,z\nnose,0,1.3,0.98\n")
         with open(self.path("landmarks.mrk.json"), "w") as file:
             json.dump({"markups": [{"type": "Fiducial", "controlPoints": [{"label": "nose", "position": [0, 1.3, 0.98]}]}]}, file)
+        lines = self.read("bear.off").splitlines()
+        vertices, faces = (int(n) for n in lines[1].split()[:2])
+        with open(self.path("painted.ply"), "w") as file:
+            properties = "".join(f"property {kind}\n" for kind in ("float x", "float y", "float z", "int part"))
+            file.write(f"ply\nformat ascii 1.0\nelement vertex {vertices}\n{properties}element face {faces}\n")
+            file.write("property list uchar int vertex_indices\nend_header\n")
+            file.write("\n".join([line + " 1" for line in lines[2 : 2 + vertices]] + lines[2 + vertices :]) + "\n")
+        with open(self.path("painted.obj"), "w") as file:
+            file.write("vt 0.5 0.5\n" + "".join(f"v {line}\n" for line in lines[2 : 2 + vertices]))
+            file.write("".join("f " + " ".join(f"{int(c) + 1}/1" for c in line.split()[1:]) + "\n" for line in lines[2 + vertices :]))
         with open(self.path("collection.tps"), "w") as file:
             file.write("LM3=1\n0 0 0\nID=other\nLM3=1\n0 1.3 0.98\nID=bear\n")
         lines = [line.strip() for words in ((), *((verb,) for verb in VERBS)) for line in self.run_it(*words, "--help").stdout.splitlines()]

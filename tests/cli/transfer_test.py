@@ -88,6 +88,82 @@ class Transfer(Program):
         self.assertGreater(float(top[3]), 0.9)
         self.assertEqual(self.run_it("points", "bent.ply", *COARSE).returncode, 0)
 
+    def painted(self):
+        """bear.off with a height, the colour red where that is positive, and a label a side."""
+        lines = self.read("bear.off").splitlines()
+        vertices, faces = (int(n) for n in lines[1].split()[:2])
+        with open(self.path("painted.ply"), "w") as file:
+            file.write(f"ply\nformat ascii 1.0\nelement vertex {vertices}\n" + "".join(f"property float {axis}\n" for axis in "xyz"))
+            file.write("".join(f"property uchar {colour}\n" for colour in ("red", "green", "blue")))
+            file.write(f"property int side\nproperty float height\nelement face {faces}\nproperty list uchar int vertex_indices\nend_header\n")
+            for line in lines[2 : 2 + vertices]:
+                x, y = map(float, line.split()[:2])
+                file.write(f"{line} {255 if y > 1 else 0} 0 0 {7 if x > 0 else 900} {y}\n")
+            file.write("\n".join(lines[2 + vertices :]) + "\n")
+
+    def test_attributes(self):
+        self.painted()
+        done = self.run_it("transfer", "out/match.json", "--attributes", "painted.ply", "--out", "carried.ply")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\Acolours, labels side, values height carried from painted.ply to \d+ of \d+ vertices of bear_bis.off; \d+ have none")
+        vertices = [line.split() for line in self.read("carried.ply").split("end_header\n")[1].splitlines()]
+        vertices = [v for v in vertices if len(v) == 9]
+        there = [v for v in vertices if v[8] == "1"]
+        self.assertGreater(len(there), 0.3 * len(vertices))
+        self.assertEqual({v[6] for v in vertices}, {"7", "900", "-1"})
+        self.assertEqual({(v[6], v[7]) for v in vertices if v[8] == "0"}, {("-1", "nan")})
+
+        def at_rest(v):  # what bear.turned() turned
+            x, y, z = ((float(c) - shift) / 2.5 for c, shift in zip(v[:3], (10, -3, 1)))
+            y, z = 5 / 13 * y + 12 / 13 * z, 5 / 13 * z - 12 / 13 * y
+            return 0.8 * x + 0.6 * y, 0.8 * y - 0.6 * x
+
+        near = [abs(at_rest(v)[1] - float(v[7])) < 0.2 for v in there]  # a twentieth of the height
+        self.assertGreater(sum(near) / len(near), 0.9)
+        right = [(v[6] == "7") == (at_rest(v)[0] > 0) for v in there]
+        self.assertGreater(sum(right) / len(right), 0.9)
+
+    def test_uvs_and_their_pictures(self):
+        lines = self.read("bear.off").splitlines()
+        count = int(lines[1].split()[0])
+        vertices = [tuple(map(float, line.split())) for line in lines[2 : 2 + count]]
+        with open(self.path("painted.obj"), "w") as file:  # two islands: u below 0.5 where x < 0, above where not
+            file.write("mtllib painted.mtl\nusemtl fur\n" + "".join("v {} {} {}\n".format(*v) for v in vertices))
+            file.write("".join(f"vt {x / 10 + shift} {y / 10 + 0.5}\n" for shift in (0.25, 0.75) for x, y, _ in vertices))
+            for face in lines[2 + count :]:
+                corners = [int(c) for c in face.split()[1:]]
+                island = count if sum(vertices[c][0] for c in corners) > 0 else 0
+                file.write("f " + " ".join(f"{c + 1}/{c + 1 + island}" for c in corners) + "\n")
+        with open(self.path("painted.mtl"), "w") as file:
+            file.write("newmtl fur\nmap_Kd fur.png\n")
+        transfer = ("transfer", "out/match.json", "--attributes", "painted.obj", "--out", "carried.obj")
+        done = self.run_it(*transfer)
+        self.assertEqual((done.returncode, done.stderr), (0, "homolog: warning: painted.obj names fur.png, which is not there\n"))
+        with open(self.path("fur.png"), "w") as file:
+            file.write("no picture, but bytes")
+        done = self.run_it(*transfer)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\AUVs, 1 material carried from painted.obj [^\n]*\n\d+ of \d+ triangles have UVs\n\Z")
+        self.assertEqual(self.read("carried.fur.png"), "no picture, but bytes")
+        self.assertIn("map_Kd carried.fur.png\n", self.read("carried.mtl"))
+        words = [line.split() for line in self.read("carried.obj").splitlines()]
+        u = [float(w[1]) for w in words if w[0] == "vt"]
+        faces = [[u[int(c.split("/")[1]) - 1] for c in w[1:]] for w in words if w[0] == "f" and "/" in w[1]]
+        self.assertGreater(len(faces), 1000)
+        self.assertEqual([us for us in faces if min(us) < 0.5 < max(us)], [])
+        self.assertIn(["usemtl", "not_carried"], words)
+
+    def test_attributes_that_cannot_be_carried(self):
+        self.painted()
+        match, painted = "out/match.json", ("--attributes", "painted.ply")
+        self.expect_message(2, "either --points or --mesh or --attributes", "transfer", match, *painted, "--mesh", "bear.off", "--out", "a.ply")
+        self.expect_message(2, "attributes are written as .ply or .obj, not as 'a.csv'", "transfer", match, *painted, "--out", "a.csv")
+        self.expect_message(2, "--onto goes with --attributes", "transfer", match, "--points", "points.csv", "--onto", "bear.off", "--out", "a.csv")
+        self.expect_message(2, "--labels goes with --attributes", "transfer", match, "--points", "points.csv", "--labels", "a", "--out", "a.csv")
+        self.expect_message(3, "it has no field 'age'; it has colours, labels side, values height", "transfer", match, *painted, "--labels", "age", "--out", "a.ply")
+        self.expect_message(3, "are read from .ply and .obj", "transfer", match, "--attributes", "bear.off", "--out", "a.ply")
+        self.assertFalse(os.path.exists(self.path("a.ply")))
+
     def test_wrong_usage_and_files(self):
         match, points = "out/match.json", ("--points", "points.csv")
         self.expect_message(2, "--out is required", "transfer", match, *points)

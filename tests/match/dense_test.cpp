@@ -5,47 +5,21 @@
 
 #include <algorithm>
 
-#include "fixtures/solids.h"
 #include "homolog/base/parallel.h"
 #include "homolog/match/dense_faults.h"
 #include "homolog/shape/vertex_normals.h"
-#include "shape/meshes.h"
+#include "match/bent_ball.h"
 
 namespace homolog {
 namespace {
 
-Vec3 bend(const Vec3& x) { return 3 * (fixtures::random_rotation(7) * Vec3(x.x(), x.y() + 0.3 * x.x() * x.x(), x.z())) + Vec3(5, 1, -20); }
-
-Vec3 mirrored_bend(const Vec3& x) { return bend(fixtures::mirror_x() * x); }
-
-Mesh moved(Mesh mesh, const std::function<Vec3(const Vec3&)>& map) {
-  for (Vec3& vertex : mesh.vertices) vertex = map(vertex);
-  return mesh;
-}
-
-/// The warp through a few places of the cube from -1 to 1, so that it is right at these alone.
-MatchMap match_by(const std::function<Vec3(const Vec3&)>& map, Chirality chirality = Chirality::proper) {
-  std::vector<Vec3> sources, targets;
-  for (int i = 0; i < 27; ++i) {
-    sources.emplace_back(i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1);
-    targets.push_back(map(sources.back()));
-  }
-  MatchMap match;
-  match.data_from_model = ThinPlateSpline::similarity_free(SourceSystem(sources, std::vector<double>(27, 0)), targets, chirality);
-  match.scale = match.data_from_model.similarity.scale;
-  match.model_diagonal = 2 * std::sqrt(3.0);
-  match.data_diagonal = 3 * match.model_diagonal;
-  return match;
-}
+using namespace bent_ball;
 
 double mean_error(const DenseMap& map, const Mesh& from, const std::function<Vec3(const Vec3&)>& truth) {
   double sum = 0;
   for (std::size_t i = 0; i < map.places.size(); ++i) sum += (map.places[i].position - truth(from.vertices[i])).norm();
   return sum / static_cast<double>(map.places.size());
 }
-
-/// A ball, and a bent one with other triangles.
-const Mesh ball = meshes::sphere(4), bent = moved(meshes::moved(meshes::sphere(4), fixtures::random_rotation(3)), bend);
 
 TEST(DenseMaps, PutTheVerticesOfABallWhereItIsBentTo) {
   const MatchMap match = match_by(bend);

@@ -47,7 +47,8 @@ std::string part_ply(const Mesh& mesh, const std::vector<float>& weights) {
     colours.push_back({});
     for (int k = 0; k < 3; ++k) colours.back()[k] = static_cast<std::uint8_t>(std::lround(mixed[k]));
   }
-  return ply_text(mesh, colours, {{"quality", weights}}, "quality: weight of the covered part, 0 to 1");
+  return ply_text(mesh, colours, {{"quality", std::vector<double>(weights.begin(), weights.end())}},
+                  "quality: weight of the covered part, 0 to 1");
 }
 
 }  // namespace homolog

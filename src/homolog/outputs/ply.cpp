@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <iterator>
+#include <string_view>
 
 namespace homolog {
 namespace {
@@ -12,8 +13,20 @@ std::string header(const Mesh& mesh, bool coloured, const std::vector<VertexColu
   std::string text = fmt::format("ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n", comment, mesh.vertices.size());
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);
   if (coloured) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
-  for (const VertexColumn& column : columns) text += fmt::format("property float {}\n", column.name);
+  for (const VertexColumn& column : columns) text += fmt::format("property {} {}\n", column.type, column.name);
   return text + fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.triangles.size());
+}
+
+/// With as many digits as its type needs.
+void write_value(std::string& text, const VertexColumn& column, std::size_t i) {
+  const std::string_view type = column.type;
+  if (type == "float") {
+    fmt::format_to(std::back_inserter(text), " {}", static_cast<float>(column.values[i]));
+  } else if (type == "double") {
+    fmt::format_to(std::back_inserter(text), " {}", column.values[i]);
+  } else {
+    fmt::format_to(std::back_inserter(text), " {}", static_cast<long long>(column.values[i]));
+  }
 }
 
 }  // namespace
@@ -26,7 +39,7 @@ std::string ply_text(const Mesh& mesh, const std::vector<Colour>& colours, const
     const Vec3& v = mesh.vertices[i];
     fmt::format_to(out, "{} {} {}", v.x(), v.y(), v.z());
     if (!colours.empty()) fmt::format_to(out, " {} {} {}", colours[i][0], colours[i][1], colours[i][2]);
-    for (const VertexColumn& column : columns) fmt::format_to(out, " {}", column.values[i]);
+    for (const VertexColumn& column : columns) write_value(text, column, i);
     text += '\n';
   }
   for (const auto& [a, b, c] : mesh.triangles) fmt::format_to(out, "3 {} {} {}\n", a, b, c);

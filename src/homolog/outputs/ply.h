@@ -11,15 +11,16 @@
 
 namespace homolog {
 
-/// What a PLY says of every vertex beside its place; `values` as many as vertices.
+/// What a PLY says of every vertex beside its place; `values` as many as vertices. `type`: float, double, int or uchar; the values fit.
 struct VertexColumn {
   std::string name;
-  std::vector<float> values;
+  std::vector<double> values;
+  const char* type = "float";
 };
 
 using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
-/// PLY 1.0 in ASCII: vertices in their order with all digits, colours unless there are none, columns as float properties, triangles.
+/// PLY 1.0 in ASCII: vertices in their order with all digits, colours unless there are none, columns as properties, triangles.
 /// `comment` is one line.
 std::string ply_text(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns,
                      const std::string& comment);

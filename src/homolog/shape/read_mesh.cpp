@@ -37,17 +37,6 @@ void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_tria
   }
 }
 
-/// Reads the file that a header names: in the header's folder or below, links followed.
-std::string read_beside(const fs::path& header, const std::string& name, std::uint64_t most) {
-  const fs::path folder = fs::canonical(fs::absolute(header).parent_path());
-  std::error_code error;
-  const fs::path path = fs::weakly_canonical(folder / name, error);
-  if (error || std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first != folder.end()) {
-    throw FileError(fmt::format("{}: it names the file '{}' outside its folder; put the two together", header.string(), shown(name)));
-  }
-  return read_file(path, most);
-}
-
 std::optional<RawVolume> read_volume(std::string_view content, const fs::path& path, const ReadLimits& limits) {
   const ReadOther read_other = [&](const std::string& name) { return read_beside(path, name, limits.bytes); };
   if (is_nifti(content, path.string())) return read_nifti(content, path.string(), limits.voxels);
@@ -70,6 +59,16 @@ Mesh read_content(const fs::path& path, const std::string& content) {
 }
 
 }  // namespace
+
+std::string read_beside(const fs::path& file, const std::string& name, std::uint64_t most) {
+  const fs::path folder = fs::canonical(fs::absolute(file).parent_path());
+  std::error_code error;
+  const fs::path path = fs::weakly_canonical(folder / name, error);
+  if (error || std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first != folder.end()) {
+    throw FileError(fmt::format("{}: it names the file '{}' outside its folder; put the two together", file.string(), shown(name)));
+  }
+  return read_file(path, most);
+}
 
 Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
   check_file(path, limits.bytes);

@@ -25,4 +25,7 @@ struct ReadLimits {
 /// that is not there).
 Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
 
+/// Reads a file that another one names: in that one's folder or below, links followed. Throws FileError.
+std::string read_beside(const std::filesystem::path& file, const std::string& name, std::uint64_t most = most_bytes);
+
 }  // namespace homolog

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "homolog/shape/obj_lines.h"
 #include "homolog/shape/polygon.h"
 #include "homolog/shape/text.h"
 
@@ -14,32 +15,6 @@ struct Face {
   std::size_t line;
   std::vector<std::uint32_t> corners;
 };
-
-/// The vertex number of a corner such as "7", "7/1/2" or "-1" (the last vertex so far), counted from 0.
-std::uint32_t read_corner(Text& text, std::string_view word, std::size_t vertices_so_far) {
-  std::string_view number = word.substr(0, word.find('/'));
-  const long long written = take_integer(text, number, "the vertex number of a face");
-  const long long index = written < 0 ? static_cast<long long>(vertices_so_far) + written : written - 1;
-  if (written == 0 || index < 0 || index > 0xfffffffeLL) {
-    fail(text, fmt::format("vertex {} does not exist (vertices count from 1); the file is damaged", written));
-  }
-  return static_cast<std::uint32_t>(index);
-}
-
-/// Lines that end in a backslash go on in the next one.
-bool next_whole_line(Text& text, std::string_view& line, std::string& joined) {
-  if (!next_data_line(text, line)) return false;
-  if (line.back() != '\\') return true;
-  joined.clear();
-  bool more = true;
-  while (more && !line.empty() && line.back() == '\\') {
-    joined.append(line.substr(0, line.size() - 1)).append(" ");
-    more = next_line(text, line);
-  }
-  if (more) joined.append(line);
-  line = joined;
-  return true;
-}
 
 }  // namespace
 
@@ -55,7 +30,7 @@ Mesh read_obj(std::string_view content, const std::string& file) {
     if (keyword != "f" && keyword != "fo") continue;
     Face face{text.line, {}};
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
-      face.corners.push_back(read_corner(text, word, mesh.vertices.size()));
+      face.corners.push_back(obj_number(text, word.substr(0, word.find('/')), mesh.vertices.size(), "vertex"));
     }
     faces.push_back(std::move(face));
   }

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "transfer_attributes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "exit_codes.h"
+#include "homolog/base/errors.h"
+#include "homolog/base/read_file.h"
+#include "homolog/match/carry_attributes.h"
+#include "homolog/outputs/attributes_obj.h"
+#include "homolog/outputs/attributes_ply.h"
+#include "homolog/outputs/write_file.h"
+#include "homolog/shape/read_attributes.h"
+
+namespace homolog::cli {
+namespace {
+
+/// The painted mesh, its fields of the kind that the user says.
+AttributedMesh read_giver(const AttributeOptions& options) {
+  AttributedMesh giver = read_attributes(options.from);
+  for (const std::string& name : options.labels) {
+    const auto field = std::find_if(giver.fields.begin(), giver.fields.end(), [&](const Field& f) { return f.name == name; });
+    if (field == giver.fields.end()) {
+      throw FileError(fmt::format("{}: it has no field '{}'; it has {}", options.from, name, told_attributes(giver)));
+    }
+    field->kind = Field::Kind::label;
+  }
+  return giver;
+}
+
+/// The places of the receiver's vertices on the giver.
+DenseMap places_on(const AttributedMesh& giver, const Mesh& receiver, const MatchMap& match, Direction direction) {
+  const bool forwards = direction == Direction::data_from_model;
+  DenseMaps maps = dense_maps(match, forwards ? giver.mesh : receiver, forwards ? receiver : giver.mesh);
+  return forwards ? std::move(maps.model_from_data) : std::move(maps.data_from_model);
+}
+
+/// What the format of the file cannot say.
+void warn_of_losses(const AttributedMesh& giver, const AttributeTransfer& transfer, Console& console) {
+  for (const std::string& name : giver.missing) console.warn(fmt::format("{} names {}, which is not there", transfer.options.from, name));
+  const bool is_obj = lower_extension(transfer.out) == ".obj";
+  if (is_obj && !giver.fields.empty()) console.warn("an .obj holds no values and no labels; a .ply does");
+  if (!is_obj && !giver.texturing.corners.empty()) console.warn("UVs and materials are not written to a .ply; an .obj holds them");
+}
+
+std::vector<OutputFile> files_of(const AttributedMesh& carried, const DenseMap& map, const AttributeTransfer& transfer) {
+  const std::string from = std::filesystem::path(transfer.options.from).filename().string();
+  if (lower_extension(transfer.out) == ".obj") return attributes_obj(carried, transfer.out, from);
+  return {{transfer.out, attributes_ply(carried, map.places, from)}};
+}
+
+/// How many triangles were textured; nothing if none could be.
+std::string told_triangles(const Texturing& texturing) {
+  if (texturing.uvs.empty()) return "";
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < texturing.corners.size(); ++t) count += texturing.has_uvs(t);
+  return fmt::format("{} of {} triangles have UVs\n", count, texturing.corners.size());
+}
+
+}  // namespace
+
+void add_attribute_options(CLI::App& verb, AttributeOptions& options) {
+  verb.add_option("--attributes", options.from,
+                  fmt::format("What to carry is on this mesh, in the coordinates of the model: {}.", readable_attributes))
+      ->type_name("FILE");
+  verb.add_option("--onto", options.onto, "The mesh that receives it, in the coordinates of the data; else the one beside MATCH.")
+      ->type_name("FILE");
+  verb.add_option("--labels", options.labels, "Fields that hold labels although their numbers are not whole by type.")
+      ->type_name("NAME")
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+}
+
+void check_options(const AttributeOptions& options, const std::string& out) {
+  if (options.from.empty() && !options.onto.empty()) throw UsageError("--onto goes with --attributes");
+  if (options.from.empty() && !options.labels.empty()) throw UsageError("--labels goes with --attributes");
+  const std::string ending = lower_extension(out);
+  if (!options.from.empty() && ending != ".ply" && ending != ".obj") {
+    throw UsageError(fmt::format("attributes are written as .ply or .obj, not as '{}'", out));
+  }
+}
+
+int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& family, const MatchMap& match, Console& console) {
+  const bool forwards = transfer.direction == Direction::data_from_model;
+  const AttributedMesh giver = read_giver(transfer.options);
+  const Mesh receiver = transfer.options.onto.empty() ? matched_mesh(transfer.match, "", forwards ? "data.part.ply" : "model.part.ply",
+                                                                     forwards ? family.data_vertices : family.model_vertices)
+                                                      : read_mesh(transfer.options.onto);
+  if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
+  console.stage("laying the meshes onto each other");
+  const DenseMap map = places_on(giver, receiver, match, transfer.direction);
+  const AttributedMesh carried = carry_attributes(giver, receiver, map.places);
+  warn_of_losses(giver, transfer, console);
+  write_files(files_of(carried, map, transfer));
+  console.clear();
+  const std::string to = transfer.options.onto.empty() ? (forwards ? family.data_file : family.model_file) : transfer.options.onto;
+  print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} have none: outside the covered part, or torn\n",
+                           told_attributes(carried), transfer.options.from, map.placed, map.places.size(), to,
+                           map.places.size() - map.placed) +
+               told_triangles(carried.texturing));
+  if (map.placed > 0) return kFound;
+  print_message("nothing found: no vertex has a place on the other mesh; are the meshes those that were matched?");
+  return kNothingFound;
+}
+
+}  // namespace homolog::cli

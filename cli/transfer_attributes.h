@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: MIT
+// homolog transfer --attributes: what is painted on one shape, carried to the other.
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+#include "console.h"
+#include "stored_match.h"
+
+namespace homolog::cli {
+
+struct AttributeOptions {
+  std::string from;                 ///< the file with the attributes; empty: none are carried
+  std::string onto;                 ///< the mesh that receives them; empty: the one that was matched
+  std::vector<std::string> labels;  ///< fields that are labels, whatever their type
+};
+
+/// --attributes, --onto and --labels.
+void add_attribute_options(CLI::App& verb, AttributeOptions& options);
+
+/// Throws UsageError for options without --attributes, and for an `out` that cannot be written.
+void check_options(const AttributeOptions& options, const std::string& out);
+
+struct AttributeTransfer {
+  const StoredMatchOptions& match;
+  const AttributeOptions& options;
+  const std::string& out;
+  Direction direction;
+};
+
+/// Carries, writes, tells; returns the exit code.
+int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& family, const MatchMap& match, Console& console);
+
+}  // namespace homolog::cli

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/obj_lines.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace homolog {
+
+bool next_whole_line(Text& text, std::string_view& line, std::string& joined) {
+  if (!next_data_line(text, line)) return false;
+  if (line.back() != '\\') return true;
+  joined.clear();
+  bool more = true;
+  while (more && !line.empty() && line.back() == '\\') {
+    joined.append(line.substr(0, line.size() - 1)).append(" ");
+    more = next_line(text, line);
+  }
+  if (more) joined.append(line);
+  line = joined;
+  return true;
+}
+
+std::string rest_of(std::string_view line) {
+  line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+  return std::string(line.substr(0, line.find_last_not_of(" \t\r") + 1));
+}
+
+std::uint32_t obj_number(Text& text, std::string_view word, std::size_t so_far, const char* what) {
+  const long long written = take_integer(text, word, fmt::format("the {} number of a face", what).c_str());
+  const long long index = written < 0 ? static_cast<long long>(so_far) + written : written - 1;
+  if (written == 0 || index < 0 || index > 0xfffffffeLL) {
+    fail(text, fmt::format("{} {} does not exist (they count from 1); the file is damaged", what, written));
+  }
+  return static_cast<std::uint32_t>(index);
+}
+
+}  // namespace homolog

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/ply_values.h"
+
+#include <fmt/format.h>
+
+#include <bit>
+#include <charconv>
+#include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+template <class T>
+double decode(const char* bytes, std::endian order) {
+  char buffer[sizeof(T)];
+  for (std::size_t i = 0; i < sizeof(T); ++i) buffer[i] = bytes[order == std::endian::native ? i : sizeof(T) - 1 - i];
+  T value;
+  std::memcpy(&value, buffer, sizeof(T));
+  return static_cast<double>(value);
+}
+
+double decode(PlyType type, const char* bytes, std::endian order) {
+  switch (type) {
+    case PlyType::int8:
+      return decode<std::int8_t>(bytes, order);
+    case PlyType::uint8:
+      return decode<std::uint8_t>(bytes, order);
+    case PlyType::int16:
+      return decode<std::int16_t>(bytes, order);
+    case PlyType::uint16:
+      return decode<std::uint16_t>(bytes, order);
+    case PlyType::int32:
+      return decode<std::int32_t>(bytes, order);
+    case PlyType::uint32:
+      return decode<std::uint32_t>(bytes, order);
+    case PlyType::float32:
+      return decode<float>(bytes, order);
+    default:
+      return decode<double>(bytes, order);
+  }
+}
+
+}  // namespace
+
+void fail_at(const PlySource& source, const std::string& what) {
+  if (source.encoding == PlyEncoding::ascii) fail(source.text, what);
+  throw FileError(fmt::format("{}, {}: {}", source.text.file, source.place, what));
+}
+
+double read_ply_value(PlySource& source, PlyType type) {
+  if (source.encoding == PlyEncoding::ascii) return take_number(source.text, source.line, "a property");
+  const std::size_t size = bytes_of(type);
+  if (source.text.rest.size() < size) fail_at(source, "the file ends here; it is truncated");
+  const double value =
+      decode(type, source.text.rest.data(), source.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big);
+  source.text.rest.remove_prefix(size);
+  return value;
+}
+
+double read_loose_value(PlySource& source, PlyType type) {
+  if (source.encoding != PlyEncoding::ascii) return read_ply_value(source, type);
+  const std::string_view word = take_word(source.line);
+  if (word.empty()) fail(source.text, "a property is missing; the file is truncated or damaged");
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error == std::errc() && end == word.data() + word.size() ? value : std::numeric_limits<double>::quiet_NaN();
+}
+
+std::size_t read_length(PlySource& source, const PlyProperty& property) {
+  const double length = read_ply_value(source, property.count_type);
+  const bool ascii = source.encoding == PlyEncoding::ascii;
+  const std::size_t most = ascii ? source.line.size() / 2 : source.text.rest.size() / bytes_of(property.type);
+  if (!(length >= 0 && length <= static_cast<double>(most)) || length != std::floor(length)) {
+    fail_at(source, fmt::format("a list of {} items does not fit into the file; it is truncated or damaged", length));
+  }
+  return static_cast<std::size_t>(length);
+}
+
+void begin_element(PlySource& source, const PlyElement& element, std::size_t number) {
+  if (source.encoding == PlyEncoding::ascii) {
+    if (!next_data_line(source.text, source.line)) {
+      fail(source.text,
+           fmt::format("the file ends after {} of {} times element {}; it is truncated", number, element.count, shown(element.name)));
+    }
+  } else {
+    source.place = fmt::format("{} {}", shown(element.name), number);
+  }
+}
+
+void skip_property(PlySource& source, const PlyProperty& property) {
+  const std::size_t length = property.count_type == PlyType::none ? 1 : read_length(source, property);
+  for (std::size_t i = 0; i < length; ++i) {
+    if (source.encoding != PlyEncoding::ascii) {
+      read_ply_value(source, property.type);
+    } else if (take_word(source.line).empty()) {
+      fail(source.text, "a property is missing; the file is truncated or damaged");
+    }
+  }
+}
+
+void skip_elements(PlySource& source, const PlyElement& element) {
+  for (std::size_t i = 0; i < element.count; ++i) {
+    begin_element(source, element, i);
+    for (const PlyProperty& property : element.properties) skip_property(source, property);
+  }
+}
+
+}  // namespace homolog

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_ply_attributes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "homolog/shape/ply_values.h"
+#include "homolog/shape/read_ply.h"
+
+namespace homolog {
+namespace {
+
+/// A single property of all vertices.
+struct Column {
+  std::string name;
+  PlyType type;
+  std::vector<double> values;
+};
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+std::vector<Column> read_columns(PlySource& source, const PlyElement& element) {
+  std::vector<Column> columns(element.properties.size());
+  for (std::size_t k = 0; k < columns.size(); ++k) columns[k] = {element.properties[k].name, element.properties[k].type, {}};
+  for (std::size_t i = 0; i < element.count; ++i) {
+    begin_element(source, element, i);
+    for (std::size_t k = 0; k < columns.size(); ++k) {
+      if (element.properties[k].count_type != PlyType::none) {
+        skip_property(source, element.properties[k]);
+      } else {
+        const double value = read_loose_value(source, columns[k].type);
+        columns[k].values.push_back(std::isfinite(value) ? value : none);
+      }
+    }
+  }
+  std::erase_if(columns, [](const Column& column) { return column.values.empty(); });
+  return columns;
+}
+
+bool is_whole(PlyType type) { return type < PlyType::float32; }
+
+double largest(PlyType type) {
+  switch (type) {
+    case PlyType::uint8:
+      return 255;
+    case PlyType::uint16:
+      return 65535;
+    case PlyType::int8:
+      return 127;
+    case PlyType::int16:
+      return 32767;
+    case PlyType::int32:
+      return 2147483647;
+    case PlyType::uint32:
+      return 4294967295;
+    default:
+      return 1;
+  }
+}
+
+/// Takes the columns of colour away and returns what they say; nothing when red, green and blue are not all there.
+std::vector<Rgba> take_colours(std::vector<Column>& columns) {
+  static const std::string names[] = {"red", "green", "blue", "alpha"};
+  const auto is_colour = [](const Column& column) { return std::find(std::begin(names), std::end(names), column.name) != std::end(names); };
+  std::vector<Rgba> colours;
+  int channels = 0;
+  for (int channel = 0; channel < 4; ++channel) {
+    const auto column = std::find_if(columns.begin(), columns.end(), [&](const Column& c) { return c.name == names[channel]; });
+    if (column == columns.end()) continue;
+    colours.resize(column->values.size(), Rgba{0, 0, 0, 1});
+    channels += channel < 3;
+    for (std::size_t i = 0; i < colours.size(); ++i) {
+      const double share = column->values[i] / largest(column->type);
+      colours[i][channel] = static_cast<float>(std::isfinite(share) ? std::clamp(share, 0.0, 1.0) : 0.0);
+    }
+  }
+  if (channels < 3) return {};
+  std::erase_if(columns, is_colour);
+  return colours;
+}
+
+bool is_geometry(const Column& column) {
+  static const std::string names[] = {"x", "y", "z", "nx", "ny", "nz"};
+  return std::find(std::begin(names), std::end(names), column.name) != std::end(names);
+}
+
+}  // namespace
+
+AttributedMesh read_ply_attributes(std::string_view content, const std::string& file) {
+  AttributedMesh mesh;
+  mesh.mesh = read_ply(content, file);
+  PlySource source{{file, content}, PlyEncoding::ascii, {}, {}};
+  const PlyHeader header = read_ply_header(source.text);
+  source.encoding = header.encoding;
+  for (const PlyElement& element : header.elements) {
+    if (element.name != "vertex") {
+      skip_elements(source, element);
+      continue;
+    }
+    std::vector<Column> columns = read_columns(source, element);
+    std::erase_if(columns, is_geometry);
+    mesh.colours = take_colours(columns);
+    for (Column& column : columns) {
+      mesh.fields.push_back({column.name, is_whole(column.type) ? Field::Kind::label : Field::Kind::value, std::move(column.values)});
+    }
+    break;
+  }
+  return mesh;
+}
+
+}  // namespace homolog

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_obj_attributes.h"
+
+#include <gmock/gmock.h>
+
+#include "homolog/shape/read_attributes.h"
+#include "homolog/shape/read_obj.h"
+#include "shape/files.h"
+
+namespace homolog {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using ReadObjAttributes = FileTest;
+
+const std::string obj =
+    "mtllib two.mtl\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0.5 0.2 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvt .5\nusemtl red wood\n"
+    "f 1/1/1 2/2 5/-1 3/3\nusemtl plain\nf 1 3 4\n";
+const std::string mtl =
+    "Kd 1 1 1\nnewmtl red wood # a comment\nKd 1 .5 0\nmap_Kd -s 1 1 1 wood.png\nnewmtl other\nd 0.5\nmap_Kd my\\\\pictures of it.jpg\n";
+
+AttributedMesh read_painted(const std::string& content) {
+  return read_obj_attributes(content, "a.obj", [](const std::string& name) -> std::optional<std::string> {
+    if (name == "two.mtl") return mtl;
+    if (name == "wood.png") return "PNG";
+    return {};
+  });
+}
+
+TEST_F(ReadObjAttributes, TakesUvsAndMaterialsOfTheTrianglesThatPolygonsBecome) {
+  const AttributedMesh mesh = read_painted(obj);
+  EXPECT_EQ(mesh.mesh.triangles, read_obj(obj, "a.obj").triangles);
+  const Texturing& texturing = mesh.texturing;
+  ASSERT_EQ(texturing.corners.size(), 3u);
+  for (std::size_t t = 0; t < 2; ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3& vertex = mesh.mesh.vertices[mesh.mesh.triangles[t][k]];
+      const Uv& uv = texturing.uvs[texturing.corners[t][k]];
+      EXPECT_EQ(uv, (vertex.x() == 0.5 ? Uv{0.5, 0} : Uv{vertex.x(), vertex.y()}));
+    }
+  }
+  EXPECT_FALSE(texturing.has_uvs(2));
+  EXPECT_THAT(texturing.material_of, ElementsAre(0, 0, 2));
+  ASSERT_EQ(texturing.materials.size(), 3u);
+  EXPECT_EQ(texturing.materials[0].name, "red wood");
+  EXPECT_EQ(texturing.materials[0].colour, (Rgba{1, 0.5f, 0, 1}));
+  EXPECT_EQ(texturing.images[texturing.materials[0].image].bytes, "PNG");
+  EXPECT_EQ(texturing.materials[1].colour[3], 0.5f);
+  EXPECT_EQ(texturing.materials[1].image, -1);
+  EXPECT_THAT(mesh.missing, ElementsAre("my//pictures of it.jpg"));
+  EXPECT_EQ(told_attributes(mesh), "UVs, 3 materials");
+}
+
+TEST_F(ReadObjAttributes, TakesColoursIfAllVerticesHaveThem) {
+  EXPECT_EQ(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n").colours[0], (Rgba{1, 0, 0.5f, 1}));
+  EXPECT_TRUE(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0\nv 0 1 0 1\nf 1 2 3\n").colours.empty());
+}
+
+TEST_F(ReadObjAttributes, LooksForPicturesInItsFolderAlone) {
+  write("two.mtl", mtl);
+  write("wood.png", "PNG");
+  const AttributedMesh mesh = read_attributes(write("a.obj", obj));
+  EXPECT_EQ(mesh.texturing.images.size(), 1u);
+  const auto message = [&](const std::string& content) {
+    try {
+      read_attributes(write("b.obj", content));
+    } catch (const FileError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message("mtllib ../../../../../../../../etc/passwd\n" + obj), HasSubstr("outside its folder"));
+  EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/2 3/1\n"),
+              HasSubstr("b.obj, line 5: texture coordinate 2 does not exist"));
+  EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("b.obj: it says nothing but the form"));
+}
+
+}  // namespace
+}  // namespace homolog
