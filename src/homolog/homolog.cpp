@@ -3,6 +3,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/cut_faces.h"
+#include "homolog/describe/thickness.h"
 #include "homolog/describe/turn_shape.h"
 #include "homolog/match/axis_starts.h"
 #include "homolog/match/candidates.h"
@@ -107,6 +108,7 @@ Shape describe_upright(const Mesh& mesh, const Params& params, const std::option
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
   }
+  shape.thickness = thickness_at(shape.interior, shape.surface);
   shape.surface_spacing = typical_spacing(positions_of(shape.surface));
   find_directions(shape.interior, params.salient, shape.points);  // eq. 2, 3
   lap(watch, "directions", shape.points.size(), "points");

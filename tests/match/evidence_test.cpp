@@ -72,21 +72,25 @@ TEST(Evidence, APartIsJudgedByTheDataNearIt) {
 }
 
 TEST(Evidence, MeritAndConfidenceRiseTogether) {
-  const Evidence middling{0.7, 0.7, 0.7, 0.2, 5};
-  Evidence better_reach = middling, less_turning = middling, more_pairs = middling;
+  const Evidence middling{0.7, 0.7, 0.7, 0.2, 5, 0.2, 0.2, 0.1};
+  Evidence better_reach = middling, less_turning = middling, more_pairs = middling, same_ways = middling, as_thick = middling,
+           same_ends = middling;
   better_reach.data_near_reached = 0.8;
   less_turning.turning = 0.1;
   more_pairs.support = 8;
-  for (const Evidence& better : {better_reach, less_turning, more_pairs}) {
+  same_ways.ways_changed = 0.1;
+  as_thick.thickness_changed = 0.1;
+  same_ends.ends_missed = 0.02;
+  for (const Evidence& better : {better_reach, less_turning, more_pairs, same_ways, as_thick, same_ends}) {
     EXPECT_GT(merit_of(better), merit_of(middling));
     EXPECT_GT(confidence_of(better, Chirality::proper), confidence_of(middling, Chirality::proper));
   }
-  EXPECT_GT(confidence_of({1, 1, 1, 0, 10}, Chirality::proper), 0.9);
+  EXPECT_GT(confidence_of({1, 1, 1, 0, 10, 0, 0, 0}, Chirality::proper), 0.9);
   EXPECT_LT(confidence_of({}, Chirality::proper), 0.01);
 }
 
 TEST(Evidence, AMirroredMatchMustBeBetterToBeAsCredible) {
-  const Evidence evidence{0.7, 0.7, 0.7, 0.2, 5};
+  const Evidence evidence{0.7, 0.7, 0.7, 0.2, 5, 0.2, 0.2, 0.1};
   Evidence better = evidence;
   better.turning = 0;
   EXPECT_LT(rank_merit(evidence, Chirality::mirrored), rank_merit(evidence, Chirality::proper));

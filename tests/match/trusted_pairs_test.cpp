@@ -64,7 +64,7 @@ TEST(TrustedPairs, RivalsLowerTheConfidence) {
 TEST(TrustedPairs, FiveStayEvenInADoubtfulMatch) {
   std::vector<double> misses;
   for (int i = 0; i < count; ++i) misses.push_back(0.005 * i);
-  const CorrespondenceSet pairs = trusted(identity_pairs(line()), line(), 0.5, misses);
+  const CorrespondenceSet pairs = trusted(identity_pairs(line()), line(), -0.5, misses);
   ASSERT_EQ(pairs.size(), 5u);
   for (int i = 0; i < 5; ++i) EXPECT_EQ(pairs[i].model, i);
   for (const Correspondence& c : pairs) EXPECT_LT(c.confidence, 0.6);

@@ -17,7 +17,8 @@ struct Body {
   std::vector<Vec3> normals;                 ///< outward; zero at salient points
   std::vector<std::vector<int>> neighbours;  ///< symmetric
   std::size_t surface_count = 0;
-  double spacing = 0;  ///< typical distance of neighbouring surface samples
+  double spacing = 0;    ///< typical distance of neighbouring surface samples
+  Eigen::MatrixXd ways;  ///< lengths of the shortest ways inside, node to node; infinite between separate pieces
 
   std::size_t point_node(std::size_t point) const { return surface_count + point; }
 };

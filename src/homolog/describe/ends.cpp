@@ -5,8 +5,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "homolog/base/parallel.h"
-
 namespace homolog {
 namespace {
 
@@ -17,13 +15,12 @@ constexpr double least_prominence = 0.06;
 // Mean way from the skin to each of its nodes, within its own piece of the body.
 std::vector<double> mean_ways(const Body& body) {
   const std::size_t count = std::min(sources, body.surface_count);
-  std::vector<std::vector<double>> ways(count);
-  parallel_for(count, [&](std::size_t i) { ways[i] = shortest_ways(body, {static_cast<int>(i)}); });
   std::vector<double> means(body.surface_count);
   for (std::size_t node = 0; node < body.surface_count; ++node) {
     double sum = 0, reached = 0;
-    for (const auto& way : ways) {
-      if (std::isfinite(way[node])) sum += way[node], ++reached;
+    for (std::size_t source = 0; source < count; ++source) {
+      const double way = body.ways(node, source);
+      if (std::isfinite(way)) sum += way, ++reached;
     }
     means[node] = reached > 0 ? sum / reached : 0;
   }
@@ -70,10 +67,7 @@ Ends find_ends(const Body& body) {
     if (ends.nodes.size() < most_ends) ends.nodes.push_back(node);
   }
   ends.ways.resize(static_cast<Eigen::Index>(body.nodes.size()), static_cast<Eigen::Index>(ends.nodes.size()));
-  for (std::size_t k = 0; k < ends.nodes.size(); ++k) {
-    const std::vector<double> way = shortest_ways(body, {ends.nodes[k]});
-    for (std::size_t node = 0; node < way.size(); ++node) ends.ways(node, k) = way[node];
-  }
+  for (std::size_t k = 0; k < ends.nodes.size(); ++k) ends.ways.col(k) = body.ways.col(ends.nodes[k]);
   return ends;
 }
 

@@ -26,6 +26,7 @@ struct Shape {
   std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
   SampleBlocks surface_blocks;         ///< of these samples
   double surface_spacing = 0;          ///< typical distance of neighbouring samples
+  std::vector<double> thickness;       ///< of the solid under each sample
   Body body;                           ///< joins the first of these samples and the points inside the solid
   Ends ends;                           ///< of the body
   Eigen::MatrixXd inner_distance;      ///< shortest ways inside, point to point

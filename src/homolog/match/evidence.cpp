@@ -6,12 +6,13 @@
 #include <limits>
 
 #include "homolog/describe/sample_blocks.h"
+#include "homolog/match/bending_invariants.h"
 
 namespace homolog {
 namespace {
 
 constexpr double near_share = 0.1;        // so near along the inside, data counts as the part the model should explain
-constexpr double mirror_handicap = 0.15;  // merit by which a mirrored match must be better to come first
+constexpr double mirror_handicap = 0.11;  // merit by which a mirrored match must be better to come first
 
 struct Nearest {
   double plane_distance = std::numeric_limits<double>::infinity(), distance = plane_distance;
@@ -116,12 +117,16 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.samples.size());
   evidence.data_near_reached = near_reached(reached, data.body, near_share * extent);
   evidence.turning = mean_turning(cloth, model.body);
+  evidence.ways_changed = ways_changed(cloth, model, data, extent);
+  evidence.thickness_changed = thickness_changed(cloth, model, data, extent);
+  evidence.ends_missed = ends_missed(cloth, model, data, extent);
   return evidence;
 }
 
 double merit_of(const Evidence& evidence) {
   const double both = std::sqrt(evidence.model_reached * evidence.data_near_reached);
-  return 2.1 * both - 2.75 * evidence.turning + 0.034 * evidence.support;
+  const double changed = 1.3 * evidence.ways_changed + evidence.thickness_changed + 1.95 * evidence.ends_missed;
+  return 1.4 * both - 2.2 * evidence.turning + 0.022 * evidence.support - changed;
 }
 
 double rank_merit(const Evidence& evidence, Chirality chirality) {
@@ -129,7 +134,7 @@ double rank_merit(const Evidence& evidence, Chirality chirality) {
 }
 
 double confidence_of(const Evidence& evidence, Chirality chirality) {
-  return 1 / (1 + std::exp(8.6 - 5.6 * rank_merit(evidence, chirality)));
+  return 1 / (1 + std::exp(1.5 - 6.3 * rank_merit(evidence, chirality)));
 }
 
 }  // namespace homolog

@@ -18,7 +18,7 @@ constexpr double same_map = 0.05;       // mean distance of two maps, in extents
 constexpr double same_start = 0.04;     // the same for grown sets, at the salient points
 constexpr double rivalry = 12;          // log of odds per merit between matches that claim the same part of the data (merit_of's fit)
 constexpr std::size_t compared = 150;   // nodes of each
-constexpr double near_tie = 0.1;        // merit within which the other handedness makes a match ambiguous
+constexpr double near_tie = 0.15;       // merit within which the other handedness makes a match ambiguous
 
 // Most sets fall behind early: after so many steps of the first draw only so many stay.
 struct Heat {

@@ -31,6 +31,9 @@ struct Evidence {
   double data_near_reached = 0;  ///< the same, of the data's skin near what is reached, along the inside
   double turning = 0;            ///< mean angle, in radians, between the rotations of neighbours: how much the body is bent all over
   double support = 0;            ///< number of salient points that the map pairs, each counted by how well it fits
+  double ways_changed = 1;       ///< how much ways inside get longer here and shorter there: mean |log|, 1 at most (bending_invariants.h)
+  double thickness_changed = 1;  ///< the same of the thickness
+  double ends_missed = 0.3;      ///< mean distance of either shape's ends from the other's, in extents, 0.3 at most
 };
 
 enum class Handedness { proper, mirrored, ambiguous };

@@ -30,7 +30,7 @@ CorrespondenceSet trusted_pairs(CorrespondenceSet pairs, const Cloth& cloth, dou
   for (Correspondence& c : pairs) {
     const double miss = (cloth.nodes[model.body.point_node(c.model)] - c.data_point.position).norm() / extent;
     const double rivals = share_of_rivals(c, model, data, kind);
-    c.confidence = 1 / (1 + std::exp(4.4 - 2.4 * merit + 85 * miss + 0.57 * std::log(0.02 + rivals)));
+    c.confidence = 1 / (1 + std::exp(1.7 - 2.1 * merit + 71 * miss + 0.63 * std::log(0.02 + rivals)));
     confidences.push_back(c.confidence);
   }
   if (pairs.size() <= least_kept) return pairs;
