@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
 #   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python
-#   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, and clang-tidy
+#   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, with ThreadSanitizer, and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -32,7 +32,7 @@ finish() {
 # shellcheck disable=SC2317  # the functions below are called through step
 configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=ON && cmake --build --preset "$@"; }
 # shellcheck disable=SC2317
-sanitized_unit_tests() { configure_and_build dev --target unit_tests && build/dev/tests/unit_tests --gtest_brief=1; }
+unit_tests_of() { configure_and_build "$1" --target unit_tests && "build/$1/tests/unit_tests" --gtest_brief=1; }
 
 # From the same compiler and nanobind's same place each time, so that ccache has the library from the build before.
 # shellcheck disable=SC2317
@@ -51,7 +51,8 @@ step build configure_and_build release || finish
 step tests ctest --preset release || true
 step python python_package || true
 if [[ $all == yes ]]; then
-  step sanitize sanitized_unit_tests || true
+  step sanitize unit_tests_of dev || true
+  step threads unit_tests_of tsan || true
   step checks scripts/check.sh || true
 else
   step checks scripts/check.sh --quick || true

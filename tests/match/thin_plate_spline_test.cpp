@@ -160,6 +160,18 @@ TEST(Sec61, EnergyIgnoresMovingAndTurningEitherShape) {
   }
 }
 
+TEST(Sec61, FarFromTheOriginTheSplineIsTheSame) {
+  const Sample s;
+  const Vec3 far(3e8, -5e8, 1e9);  // doubles there are 1e-7 apart
+  const auto away = [&](const Vec3& x) -> Vec3 { return x + far; };
+  const ThinPlateSpline near = similarity_free(s.X, s.Y), there = similarity_free(mapped(s.X, away), mapped(s.Y, away));
+  EXPECT_NEAR(there.similarity.scale, near.similarity.scale, 1e-5);
+  EXPECT_NEAR(there.energy, near.energy, 1e-5);
+  for (std::size_t i = 0; i < s.X.size(); ++i) EXPECT_LT((there(away(s.X[i])) - away(s.Y[i])).norm(), 1e-5);
+  const ThinPlateSpline affine = ThinPlateSpline::affine_free(mapped(s.X, away), mapped(s.Y, away));
+  for (std::size_t i = 0; i < s.X.size(); ++i) EXPECT_LT((affine(away(s.X[i])) - away(s.Y[i])).norm(), 1e-4);
+}
+
 TEST(Sec61, AffineFreeEnergyIsBlindToReflection) {
   const Sample s;
   const auto mirrored = mapped(s.Y, [](const Vec3& x) { return Vec3(-x.x(), x.y(), x.z()); });

@@ -10,10 +10,17 @@
 namespace homolog {
 namespace {
 
-Eigen::MatrixX3d rows_of(const std::vector<Vec3>& points) {
-  Eigen::MatrixX3d rows(points.size(), 3);
-  for (std::size_t i = 0; i < points.size(); ++i) rows.row(i) = points[i];
-  return rows;
+// Points as rows about their mean: far from the origin the differences would drown in rounding.
+struct Centred {
+  Eigen::MatrixX3d rows;
+  Vec3 mean;
+};
+
+Centred centred(const std::vector<Vec3>& points) {
+  Centred result{Eigen::MatrixX3d(points.size(), 3), Vec3::Zero()};
+  for (const Vec3& point : points) result.mean += point / static_cast<double>(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i) result.rows.row(i) = points[i] - result.mean;
+  return result;
 }
 
 Eigen::MatrixXd kernel_matrix(const std::vector<Vec3>& points, Kernel kernel) {
@@ -61,10 +68,11 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n + 4, n + 4);
   L.topLeftCorner(n, n) = kernel_matrix(sources, Kernel::r3);
   L.col(n).head(n).setOnes();
-  L.block(0, n + 1, n, 3) = rows_of(sources);
+  const Centred X = centred(sources), Y = centred(targets);
+  L.block(0, n + 1, n, 3) = X.rows;
   L.bottomLeftCorner(4, n) = L.topRightCorner(n, 4).transpose();
   Eigen::MatrixX3d right = Eigen::MatrixX3d::Zero(n + 4, 3);
-  right.topRows(n) = rows_of(targets);
+  right.topRows(n) = Y.rows;
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(L);
   if (!lu.isInvertible()) {
     spline.energy = std::numeric_limits<double>::infinity();
@@ -73,8 +81,8 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   const Eigen::MatrixX3d solution = lu.solve(right);
   const Eigen::MatrixX3d W = solution.topRows(n);
   store_weights(spline, sources, W);
-  spline.affine.col(3) = solution.row(n);
   spline.affine.leftCols<3>() = solution.bottomRows<3>().transpose();
+  spline.affine.col(3) = solution.row(n).transpose() + Y.mean - spline.affine.leftCols<3>() * X.mean;
   spline.energy = std::max(0.0, (W.transpose() * L.topLeftCorner(n, n) * W).trace());
   return spline;
 }
@@ -105,21 +113,21 @@ double SourceSystem::variance(const Vec3& x) const {
 ThinPlateSpline ThinPlateSpline::similarity_free(const SourceSystem& system, const std::vector<Vec3>& targets, Chirality chirality) {
   const Eigen::Index n = system.sources().size();
   require(targets.size() == system.sources().size(), "a spline needs as many targets as sources");
-  const Eigen::MatrixX3d X = rows_of(system.sources()), Y = rows_of(targets);
-  const Eigen::MatrixX3d MX = system.solve(X).topRows(n), MY = system.solve(Y).topRows(n);  // M: constants are projected out
-  const Turn turn = nearest_turn(Y.transpose() * MX, chirality);
-  const double spread = (X.transpose() * MX).trace();
+  const Centred X = centred(system.sources()), Y = centred(targets);
+  const Eigen::MatrixX3d MX = system.solve(X.rows).topRows(n), MY = system.solve(Y.rows).topRows(n);  // M: constants are projected out
+  const Turn turn = nearest_turn(Y.rows.transpose() * MX, chirality);
+  const double spread = (X.rows.transpose() * MX).trace();
 
   ThinPlateSpline spline;
   spline.similarity.rotation = turn.rotation;
   spline.similarity.scale = turn.trace / spread;
   const Mat3 A = spline.similarity.scale * spline.similarity.rotation;
-  const Eigen::MatrixX3d solution = system.solve(Y - X * A.transpose());
+  const Eigen::MatrixX3d solution = system.solve(Y.rows - X.rows * A.transpose());
   store_weights(spline, system.sources(), -solution.topRows(n));  // -phi is the positive kernel
-  spline.similarity.shift = solution.row(n);
+  spline.similarity.shift = solution.row(n).transpose() + Y.mean - A * X.mean;
   spline.affine.leftCols<3>() = A;
   spline.affine.col(3) = spline.similarity.shift;
-  spline.energy = std::max(0.0, (Y.transpose() * MY).trace() - turn.trace * turn.trace / spread);
+  spline.energy = std::max(0.0, (Y.rows.transpose() * MY).trace() - turn.trace * turn.trace / spread);
   return spline;
 }
 
