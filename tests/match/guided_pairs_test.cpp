@@ -22,41 +22,52 @@ Cloth flat(const Shape& model) {
   return cloth;
 }
 
-CorrespondenceSet guided(const std::vector<SalientPoint>& model, const std::vector<SalientPoint>& data, double widening = 1) {
+CorrespondenceSet guided(const std::vector<SalientPoint>& model, const std::vector<SalientPoint>& data, const PairLimits& limits = {}) {
   const Shape shape = fixtures::bare_shape(model);
-  return guided_pairs(flat(shape), shape, fixtures::bare_shape(data), DescriptorKind::free, widening);
+  return guided_pairs(flat(shape), shape, fixtures::bare_shape(data), DescriptorKind::free, limits);
 }
 
 TEST(GuidedPairs, PlaceIsLimitedInRadiiOfTheDataPoint) {
   for (const double radius : {0.01, 1.0, 50.0}) {
-    const auto pairs_at = [&](double r, double widening) {
-      return guided({at({0, 0, 0}, radius)}, {at({r * radius, 0, 0}, radius)}, widening).size();
+    const auto pairs_at = [&](double r, const PairLimits& limits) {
+      return guided({at({0, 0, 0}, radius)}, {at({r * radius, 0, 0}, radius)}, limits).size();
     };
-    EXPECT_EQ(pairs_at(0.59, 1), 1u);
-    EXPECT_EQ(pairs_at(0.61, 1), 0u);
-    EXPECT_EQ(pairs_at(1.49, 2.5), 1u);
-    EXPECT_EQ(pairs_at(1.51, 2.5), 0u);
+    EXPECT_EQ(pairs_at(0.59, {}), 1u);
+    EXPECT_EQ(pairs_at(0.61, {}), 0u);
+    EXPECT_EQ(pairs_at(1.49, {1.5}), 1u);
+    EXPECT_EQ(pairs_at(1.51, {1.5}), 0u);
   }
 }
 
-TEST(GuidedPairs, RadiusIsLimitedByLogarithmAndWidensByTheRoot) {
-  const auto pairs_at = [](double log_ratio, double widening) {
-    return guided({at({0, 0, 0}, 1)}, {at({0, 0, 0}, std::exp(log_ratio))}, widening).size();
+TEST(GuidedPairs, SmallPointsMayBeMissedByMoreRadii) {
+  const PairLimits limits{0.6, 0.35, 0.1};
+  const auto pairs_at = [&](double distance, double radius) {
+    return guided({at({0, 0, 0}, radius)}, {at({distance, 0, 0}, radius)}, limits).size();
+  };
+  EXPECT_EQ(pairs_at(0.099, 0.01), 1u);
+  EXPECT_EQ(pairs_at(0.101, 0.01), 0u);
+  EXPECT_EQ(pairs_at(0.59, 1), 1u);
+  EXPECT_EQ(pairs_at(0.61, 1), 0u);
+}
+
+TEST(GuidedPairs, RadiusIsLimitedByLogarithm) {
+  const auto pairs_at = [](double log_ratio, const PairLimits& limits) {
+    return guided({at({0, 0, 0}, 1)}, {at({0, 0, 0}, std::exp(log_ratio))}, limits).size();
   };
   for (const double sign : {-1.0, 1.0}) {
-    EXPECT_EQ(pairs_at(sign * 0.34, 1), 1u);
-    EXPECT_EQ(pairs_at(sign * 0.36, 1), 0u);
-    EXPECT_EQ(pairs_at(sign * 0.69, 4), 1u);
-    EXPECT_EQ(pairs_at(sign * 0.71, 4), 0u);
+    EXPECT_EQ(pairs_at(sign * 0.34, {}), 1u);
+    EXPECT_EQ(pairs_at(sign * 0.36, {}), 0u);
+    EXPECT_EQ(pairs_at(sign * 0.69, {0.6, 0.7}), 1u);
+    EXPECT_EQ(pairs_at(sign * 0.71, {0.6, 0.7}), 0u);
   }
 }
 
 TEST(GuidedPairs, RadiiAreComparedAtTheClothsScale) {
   const Shape model = fixtures::bare_shape({at({0, 0, 0}, 1)}), data = fixtures::bare_shape({at({0, 0, 0}, 5)});
   Cloth cloth = flat(model);
-  EXPECT_TRUE(guided_pairs(cloth, model, data, DescriptorKind::free, 1).empty());
+  EXPECT_TRUE(guided_pairs(cloth, model, data, DescriptorKind::free, {}).empty());
   cloth.scales[0] = 5;
-  EXPECT_EQ(guided_pairs(cloth, model, data, DescriptorKind::free, 1).size(), 1u);
+  EXPECT_EQ(guided_pairs(cloth, model, data, DescriptorKind::free, {}).size(), 1u);
 }
 
 TEST(GuidedPairs, TheBetterOfTwoWinsAndBothStayOneToOne) {

@@ -134,7 +134,7 @@ double rank_merit(const Evidence& evidence, Chirality chirality) {
 }
 
 double confidence_of(const Evidence& evidence, Chirality chirality) {
-  return 1 / (1 + std::exp(1.5 - 6.3 * rank_merit(evidence, chirality)));
+  return 1 / (1 + std::exp(1.15 - 5.1 * rank_merit(evidence, chirality)));
 }
 
 }  // namespace homolog

@@ -7,26 +7,20 @@
 #include "homolog/match/candidates.h"
 
 namespace homolog {
-namespace {
 
-constexpr double place_limit = 0.6;    // r'
-constexpr double radius_limit = 0.35;  // of log r
-
-}  // namespace
-
-CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind, double widening) {
-  const double farthest = widening * place_limit, most_unlike = std::sqrt(widening) * radius_limit;
+CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind, const PairLimits& limits) {
   std::vector<std::pair<double, Correspondence>> options;
   for (int i = 0; i < static_cast<int>(model.points.size()); ++i) {
     const std::size_t node = model.body.point_node(i);
     for (int j = 0; j < static_cast<int>(data.points.size()); ++j) {
       const SalientPoint& target = data.points[j];
+      const double farthest = std::max(limits.place, limits.least_place / target.radius);
       const double place = (cloth.nodes[node] - target.position).norm() / target.radius;
       const double radius = std::abs(std::log(target.radius / (model.points[i].radius * cloth.scales[node])));
-      if (place > farthest || radius > most_unlike) continue;
+      if (place > farthest || radius > limits.log_radius) continue;
       const double distance = descriptor_distance(model.descriptors[i], data.descriptors[j], kind);
       const double fit =
-          std::pow(place / farthest, 2) + std::pow(radius / most_unlike, 2) + 0.5 * std::pow(distance / descriptor_spread, 2);
+          std::pow(place / farthest, 2) + std::pow(radius / limits.log_radius, 2) + 0.5 * std::pow(distance / descriptor_spread, 2);
       options.push_back({fit, {i, j, model.points[i], target, distance, std::exp(-0.5 * fit)}});
     }
   }

@@ -8,8 +8,14 @@
 
 namespace homolog {
 
-/// One-to-one pairs within .6 r' and .35 in log r of the prediction, ordered by model index; `confidence` is how well each fits, 0 to 1.
-/// `widening` >= 1 stretches the first limit, and its root the second, while the map is still rough.
-CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind, double widening);
+/// How far a data point may be from its prediction.
+struct PairLimits {
+  double place = 0.6;  ///< in r'
+  double log_radius = 0.35;
+  double least_place = 0;  ///< in the data's units: no place nearer is too far, for small points are missed by more radii
+};
+
+/// One-to-one pairs within the limits, ordered by model index; `confidence` is how well each fits, 0 to 1.
+CorrespondenceSet guided_pairs(const Cloth& cloth, const Shape& model, const Shape& data, DescriptorKind kind, const PairLimits& limits);
 
 }  // namespace homolog

@@ -15,7 +15,8 @@ constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
 constexpr double near_share = 0.15;                                  // of the mapped model's extent
-constexpr double wide = 2.5;                                         // of the guided pairs' limits, but in the last round
+constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
+constexpr double told_place = 0.05;                                  // extents: the least limit of pairs told in the end
 
 std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
   std::vector<Anchor> anchors;
@@ -51,7 +52,7 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
 
 void weigh_again(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.evidence = weigh(refined.cloth, model, data);
-  for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, 1)) refined.evidence.support += c.confidence;
+  for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, {})) refined.evidence.support += c.confidence;
   refined.confidence = confidence_of(refined.evidence, refined.cloth.chirality);
 }
 
@@ -75,10 +76,11 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
     draw(refined, model, data, next_draw, data_samples);
   }
-  refined.pairs = guided_pairs(refined.cloth, model, data, kind, 1);
+  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
   draw(refined, model, data, last_draw, last_data_samples);
   weigh_again(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
+  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
   refined.pairs = trusted_pairs(std::move(refined.pairs), refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
 }
 

@@ -7,7 +7,7 @@
 namespace homolog {
 namespace {
 
-constexpr double least_confidence = 0.7;
+constexpr double least_confidence = 0.75;
 constexpr std::size_t least_kept = 5;
 
 // Share of the points that are more similar to their counterpart than the pair is, mean of both directions.
@@ -30,7 +30,7 @@ CorrespondenceSet trusted_pairs(CorrespondenceSet pairs, const Cloth& cloth, dou
   for (Correspondence& c : pairs) {
     const double miss = (cloth.nodes[model.body.point_node(c.model)] - c.data_point.position).norm() / extent;
     const double rivals = share_of_rivals(c, model, data, kind);
-    c.confidence = 1 / (1 + std::exp(1.7 - 2.1 * merit + 71 * miss + 0.63 * std::log(0.02 + rivals)));
+    c.confidence = 1 / (1 + std::exp(3.45 - 2.2 * merit + 0.4 * std::log(0.01 + miss) + 0.5 * std::log(0.02 + rivals)));
     confidences.push_back(c.confidence);
   }
   if (pairs.size() <= least_kept) return pairs;

@@ -10,7 +10,7 @@ namespace homolog {
 
 /// The pairs with their `confidence` set: the probability that the pair is right, logistic in the merit of the match, in how far the map
 /// misses the data point (as a share of `extent`), and in how many rivals have more similar descriptors; fitted to the pairs of the first
-/// four matches of 476 real pairs of shapes. Those below 0.7 are left out, but never the best five.
+/// four matches of 476 real pairs of shapes. Those below 0.75 are left out, but never the best five.
 CorrespondenceSet trusted_pairs(CorrespondenceSet pairs, const Cloth& cloth, double merit, double extent, const Shape& model,
                                 const Shape& data, DescriptorKind kind);
 
