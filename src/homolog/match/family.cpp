@@ -48,7 +48,8 @@ bool better(const Refined& a, const Refined& b) {
 // Best first; of several drawn to the same map the best one stays.
 std::vector<Refined> without_duplicates(std::vector<Refined> all, const Shape& model, const Shape& data) {
   std::stable_sort(all.begin(), all.end(), better);
-  return distinct(std::move(all), all.size(), [&](const Refined& candidate, const Refined& kept) {
+  const std::size_t count = all.size();
+  return distinct(std::move(all), count, [&](const Refined& candidate, const Refined& kept) {
     const double tolerance = same_map * extent_of(candidate.cloth, model, data);
     return kept.cloth.chirality == candidate.cloth.chirality && mean_distance(candidate.cloth.nodes, kept.cloth.nodes) < tolerance;
   });

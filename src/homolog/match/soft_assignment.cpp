@@ -31,12 +31,12 @@ struct Place {
 // Which blocks are near every place, place after place, and sixteen weights for each.
 struct Weights {
   std::vector<std::size_t> first{0};
-  std::vector<int> block;
+  std::vector<std::size_t> block;
   std::vector<float> weight;
 };
 
 void add_near_blocks(const Place& place, const SampleBlocks& data, float limit, Weights& weights) {
-  for (int b = 0; b < static_cast<int>(data.blocks.size()); ++b) {
+  for (std::size_t b = 0; b < data.blocks.size(); ++b) {
     const float passed = limit + data.blocks[b].radius;
     if ((data.blocks[b].centre - place.y).squaredNorm() <= passed * passed) weights.block.push_back(b);
   }
@@ -82,7 +82,7 @@ HOMOLOG_WIDEST_CLONE void add_up(const Place& place, std::size_t i, const Sample
                          (y - place.y.y()) * (sixteen(block.ny.data()) - place.n.y()) +
                          (z - place.y.z()) * (sixteen(block.nz.data()) - place.n.z()));
   }
-  for (int k = 0; k < 5; ++k) sixteen(sums + k * block_size) = total[k];
+  for (std::size_t k = 0; k < 5; ++k) sixteen(sums + k * block_size) = total[k];
 }
 
 // One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.
