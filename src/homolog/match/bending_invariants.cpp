@@ -52,8 +52,7 @@ std::vector<Vec3> foremost_ends(const Ends& ends, const std::vector<Vec3>& nodes
 
 }  // namespace
 
-double ways_changed(const Cloth& cloth, const Shape& model, const Shape& data, double extent) {
-  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+double ways_changed(const std::vector<SurfaceSample>& laid, double scale, const Shape& model, const Shape& data, double extent) {
   std::vector<std::pair<std::size_t, int>> mapped;  // model node, data node
   for (std::size_t i = 0; i < std::min(posts, laid.size()); ++i) {
     const int there = skin_node_at(data.body, laid[i], near * extent);
@@ -62,7 +61,7 @@ double ways_changed(const Cloth& cloth, const Shape& model, const Shape& data, d
   std::vector<double> factors;
   for (std::size_t a = 0; a < mapped.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
-      const double here = cloth.scale * model.body.ways(mapped[a].first, mapped[b].first);
+      const double here = scale * model.body.ways(mapped[a].first, mapped[b].first);
       const double there = std::min(data.body.ways(mapped[a].second, mapped[b].second), 10 * extent);
       if (std::isfinite(here) && std::max(here, there) > long_way * extent) factors.push_back(std::log(there / here));
     }
@@ -70,8 +69,7 @@ double ways_changed(const Cloth& cloth, const Shape& model, const Shape& data, d
   return spread(std::move(factors));
 }
 
-double thickness_changed(const Cloth& cloth, const Shape& model, const Shape& data, double extent) {
-  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+double thickness_changed(const std::vector<SurfaceSample>& laid, const Shape& model, const Shape& data, double extent) {
   std::vector<double> factors;
   for (std::size_t i = 0; i < laid.size(); ++i) {
     const NearestSample found = nearest_sample(data.surface_blocks, laid[i].position);

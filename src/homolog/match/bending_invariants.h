@@ -9,11 +9,11 @@
 namespace homolog {
 
 /// Mean |log| of the factors by which ways inside the model get longer in the data, over their median; 1 at most, and where nothing is
-/// mapped. `extent` as in match.h.
-double ways_changed(const Cloth& cloth, const Shape& model, const Shape& data, double extent);
+/// mapped. `laid` is the cloth's mapped skin, `scale` its scale, `extent` as in match.h.
+double ways_changed(const std::vector<SurfaceSample>& laid, double scale, const Shape& model, const Shape& data, double extent);
 
 /// The same of the thickness under the skin.
-double thickness_changed(const Cloth& cloth, const Shape& model, const Shape& data, double extent);
+double thickness_changed(const std::vector<SurfaceSample>& laid, const Shape& model, const Shape& data, double extent);
 
 /// Mean distance from the model's ends to the data's nearest ones, and back from those that the cloth comes near, in extents; .3 at most.
 double ends_missed(const Cloth& cloth, const Shape& model, const Shape& data, double extent);

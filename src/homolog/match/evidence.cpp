@@ -75,14 +75,14 @@ std::vector<int> data_reached(const Skin& data_skin, const Skin& cloth_skin, dou
 
 // Share that is reached of what lies near along the inside: an arm that hangs beside a torso is far from it.
 double near_reached(const std::vector<int>& reached, const Body& data, double near) {
-  std::vector<int> nodes;
+  const auto skin = static_cast<Eigen::Index>(data.surface_count);
+  Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(skin, std::numeric_limits<double>::infinity());
+  double nodes = 0;
   for (const int k : reached) {
-    if (k < static_cast<int>(data.surface_count)) nodes.push_back(k);
+    if (k < skin) ways = ways.min(data.ways.col(k).head(skin).array()), ++nodes;
   }
-  const std::vector<double> ways = shortest_ways(data, nodes);
-  const auto skin_end = ways.begin() + static_cast<std::ptrdiff_t>(data.surface_count);
-  const auto count = std::count_if(ways.begin(), skin_end, [&](double way) { return way < near; });
-  return count > 0 ? static_cast<double>(nodes.size()) / static_cast<double>(count) : 0;
+  const auto count = (ways < near).count();
+  return count > 0 ? nodes / static_cast<double>(count) : 0;
 }
 
 // A joint bends a few nodes much, a wrong map all of them a little.
@@ -117,8 +117,8 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.samples.size());
   evidence.data_near_reached = near_reached(reached, data.body, near_share * extent);
   evidence.turning = mean_turning(cloth, model.body);
-  evidence.ways_changed = ways_changed(cloth, model, data, extent);
-  evidence.thickness_changed = thickness_changed(cloth, model, data, extent);
+  evidence.ways_changed = ways_changed(laid, cloth.scale, model, data, extent);
+  evidence.thickness_changed = thickness_changed(laid, model, data, extent);
   evidence.ends_missed = ends_missed(cloth, model, data, extent);
   return evidence;
 }

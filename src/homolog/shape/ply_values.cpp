@@ -3,45 +3,35 @@
 
 #include <fmt/format.h>
 
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/number_in.h"
 
 namespace homolog {
 namespace {
 
-template <class T>
-double decode(const char* bytes, std::endian order) {
-  char buffer[sizeof(T)];
-  for (std::size_t i = 0; i < sizeof(T); ++i) buffer[i] = bytes[order == std::endian::native ? i : sizeof(T) - 1 - i];
-  T value;
-  std::memcpy(&value, buffer, sizeof(T));
-  return static_cast<double>(value);
-}
-
 double decode(PlyType type, const char* bytes, std::endian order) {
   switch (type) {
     case PlyType::int8:
-      return decode<std::int8_t>(bytes, order);
+      return number_in<std::int8_t>(bytes, order);
     case PlyType::uint8:
-      return decode<std::uint8_t>(bytes, order);
+      return number_in<std::uint8_t>(bytes, order);
     case PlyType::int16:
-      return decode<std::int16_t>(bytes, order);
+      return number_in<std::int16_t>(bytes, order);
     case PlyType::uint16:
-      return decode<std::uint16_t>(bytes, order);
+      return number_in<std::uint16_t>(bytes, order);
     case PlyType::int32:
-      return decode<std::int32_t>(bytes, order);
+      return number_in<std::int32_t>(bytes, order);
     case PlyType::uint32:
-      return decode<std::uint32_t>(bytes, order);
+      return number_in<std::uint32_t>(bytes, order);
     case PlyType::float32:
-      return decode<float>(bytes, order);
+      return number_in<float>(bytes, order);
     default:
-      return decode<double>(bytes, order);
+      return number_in<double>(bytes, order);
   }
 }
 

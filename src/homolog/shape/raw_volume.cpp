@@ -6,47 +6,38 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/inflate.h"
+#include "homolog/shape/number_in.h"
 
 namespace homolog {
 namespace {
 
 constexpr double farthest = 1e90;  // of coordinates, so that volumes stay numbers
 
-template <class T>
-double decode(const char* bytes, std::endian order) {
-  char buffer[sizeof(T)];
-  for (std::size_t i = 0; i < sizeof(T); ++i) buffer[i] = bytes[order == std::endian::native ? i : sizeof(T) - 1 - i];
-  T value;
-  std::memcpy(&value, buffer, sizeof(T));
-  return static_cast<double>(value);
-}
-
 double decode(VoxelType type, const char* bytes, std::endian order) {
   switch (type) {
     case VoxelType::int8:
-      return decode<std::int8_t>(bytes, order);
+      return number_in<std::int8_t>(bytes, order);
     case VoxelType::uint8:
-      return decode<std::uint8_t>(bytes, order);
+      return number_in<std::uint8_t>(bytes, order);
     case VoxelType::int16:
-      return decode<std::int16_t>(bytes, order);
+      return number_in<std::int16_t>(bytes, order);
     case VoxelType::uint16:
-      return decode<std::uint16_t>(bytes, order);
+      return number_in<std::uint16_t>(bytes, order);
     case VoxelType::int32:
-      return decode<std::int32_t>(bytes, order);
+      return number_in<std::int32_t>(bytes, order);
     case VoxelType::uint32:
-      return decode<std::uint32_t>(bytes, order);
+      return number_in<std::uint32_t>(bytes, order);
     case VoxelType::int64:
-      return decode<std::int64_t>(bytes, order);
+      return number_in<std::int64_t>(bytes, order);
     case VoxelType::uint64:
-      return decode<std::uint64_t>(bytes, order);
+      return number_in<std::uint64_t>(bytes, order);
     case VoxelType::float32:
-      return decode<float>(bytes, order);
+      return number_in<float>(bytes, order);
     default:
-      return decode<double>(bytes, order);
+      return number_in<double>(bytes, order);
   }
 }
 
