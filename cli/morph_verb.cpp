@@ -66,11 +66,9 @@ int run_morph(const MorphOptions& options) {
   const ThreadLimit limit(parse_threads(options.threads));
   Console console(options.quiet, false);
   console.stage("reading the match");
-  const StoredFamily family = read_family(options.match.file);
-  if (family.matches.empty()) {
-    print_message(fmt::format("nothing found: {} holds no match", options.match.file));
-    return kNothingFound;
-  }
+  const std::optional<StoredFamily> found = read_matches(options.match);
+  if (!found) return kNothingFound;
+  const StoredFamily& family = *found;
   const MatchMap& match = chosen_match(family, options.match);
   const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model_vertices);
   const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data_vertices);

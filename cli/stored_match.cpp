@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
 #include "homolog/shape/read_mesh.h"
@@ -14,6 +15,13 @@ namespace homolog::cli {
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options) {
   verb.add_option("MATCH", options.file, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
   verb.add_option("--match", options.number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
+}
+
+std::optional<StoredFamily> read_matches(const StoredMatchOptions& options) {
+  StoredFamily family = read_family(options.file);
+  if (!family.matches.empty()) return family;
+  print_message(fmt::format("nothing found: {} holds no match", options.file));
+  return {};
 }
 
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options) {

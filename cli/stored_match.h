@@ -3,6 +3,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
 
 #include "homolog/outputs/read_match.h"
@@ -17,6 +18,9 @@ struct StoredMatchOptions {
 
 /// MATCH and --match.
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options);
+
+/// The family in MATCH; none, and a message that says so, when it holds no match. Throws FileError.
+std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 
 /// The one that is asked for. Throws UsageError when there are fewer; the family holds at least one.
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);

@@ -121,11 +121,9 @@ int run_transfer(const TransferOptions& options) {
   check_options(options);
   Console console(options.quiet, false);
   console.stage("reading the match");
-  const StoredFamily family = read_family(options.match.file);
-  if (family.matches.empty()) {
-    print_message(fmt::format("nothing found: {} holds no match", options.match.file));
-    return kNothingFound;
-  }
+  const std::optional<StoredFamily> found = read_matches(options.match);
+  if (!found) return kNothingFound;
+  const StoredFamily& family = *found;
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
   const MatchMap& match = chosen_match(family, options.match);
   if (!options.attributes.from.empty()) {
