@@ -73,6 +73,19 @@ TEST(Sec62, CorrespondencesBeyondTheThresholdArePruned) {
   EXPECT_GT(expected, 0u);
 }
 
+// Plates have hundreds of faint points; the time that a search takes must not grow with them.
+TEST(Candidates, AreAmongThePointsThatAnswerStrongest) {
+  Shape model = shape_of(30, 5), data = shape_of(40, 6);
+  for (int i = 0; i < 30; ++i) model.points[i].response = i % 3 == 0 ? 0.9 : 0.5;  // ten strong ones
+  for (int j = 0; j < 40; ++j) data.points[j].response = 1 - 0.01 * j;
+  Params params;
+  params.match.points = 10;
+  params.match.partners = 100;
+  const CorrespondenceSet candidates = find_candidates(model, data, params);
+  EXPECT_EQ(candidates.size(), 100u);
+  for (const Correspondence& c : candidates) EXPECT_TRUE(c.model % 3 == 0 && c.data < 10) << c.model << ' ' << c.data;
+}
+
 TEST(Candidates, NothingHasNoPartners) {
   EXPECT_TRUE(find_candidates(shape_of(0, 1), shape_of(7, 2), {}).empty());
   EXPECT_TRUE(find_candidates(shape_of(7, 1), shape_of(0, 2), {}).empty());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Sec. 6.2.1: pruning of X x X' to the candidate correspondences C-hat.
-// Differs: each point keeps its nearest partners by descriptor, both ways, instead of a fixed threshold t_d (which has units).
+// Differs: each point keeps its nearest partners by descriptor, both ways, instead of a fixed threshold t_d (which has units);
+// only the strongest points are searched from, since plates have hundreds of faint ones.
 #pragma once
 
 #include <vector>
