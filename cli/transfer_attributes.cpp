@@ -10,6 +10,7 @@
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/match/carry_attributes.h"
+#include "homolog/outputs/attributes_gltf.h"
 #include "homolog/outputs/attributes_obj.h"
 #include "homolog/outputs/attributes_ply.h"
 #include "homolog/outputs/write_file.h"
@@ -38,16 +39,27 @@ DenseMap places_on(const AttributedMesh& giver, const Mesh& receiver, const Matc
   return forwards ? std::move(maps.model_from_data) : std::move(maps.data_from_model);
 }
 
+bool is_gltf(const std::string& out) { return lower_extension(out) == ".glb" || lower_extension(out) == ".gltf"; }
+
 /// What the format of the file cannot say.
 void warn_of_losses(const AttributedMesh& giver, const AttributeTransfer& transfer, Console& console) {
   for (const std::string& name : giver.missing) console.warn(fmt::format("{} names {}, which is not there", transfer.options.from, name));
-  const bool is_obj = lower_extension(transfer.out) == ".obj";
-  if (is_obj && !giver.fields.empty()) console.warn("an .obj holds no values and no labels; a .ply does");
-  if (!is_obj && !giver.texturing.corners.empty()) console.warn("UVs and materials are not written to a .ply; an .obj holds them");
+  for (const std::string& what : giver.left_out) console.warn(fmt::format("{}: not carried: {}", transfer.options.from, what));
+  const bool is_ply = lower_extension(transfer.out) == ".ply";
+  if (!is_ply && !giver.fields.empty()) {
+    console.warn(fmt::format("an {} holds no values and no labels; a .ply does", lower_extension(transfer.out)));
+  }
+  if (is_ply && !giver.texturing.corners.empty()) console.warn("UVs and materials are not written to a .ply; an .obj or .glb holds them");
+  if (is_gltf(transfer.out)) {
+    for (const std::string& name : pictures_left_out(giver.texturing)) console.warn(name + " is no picture that glTF holds (PNG, JPEG)");
+  } else if (!giver.rig.joints.empty() || !giver.shape_keys.empty()) {
+    console.warn("weights, joints and shape keys are written to a .glb or .gltf alone");
+  }
 }
 
 std::vector<OutputFile> files_of(const AttributedMesh& carried, const DenseMap& map, const AttributeTransfer& transfer) {
   const std::string from = std::filesystem::path(transfer.options.from).filename().string();
+  if (is_gltf(transfer.out)) return attributes_gltf(carried, transfer.out, from);
   if (lower_extension(transfer.out) == ".obj") return attributes_obj(carried, transfer.out, from);
   return {{transfer.out, attributes_ply(carried, map.places, from)}};
 }
@@ -77,8 +89,8 @@ void check_options(const AttributeOptions& options, const std::string& out) {
   if (options.from.empty() && !options.onto.empty()) throw UsageError("--onto goes with --attributes");
   if (options.from.empty() && !options.labels.empty()) throw UsageError("--labels goes with --attributes");
   const std::string ending = lower_extension(out);
-  if (!options.from.empty() && ending != ".ply" && ending != ".obj") {
-    throw UsageError(fmt::format("attributes are written as .ply or .obj, not as '{}'", out));
+  if (!options.from.empty() && ending != ".ply" && ending != ".obj" && !is_gltf(out)) {
+    throw UsageError(fmt::format("attributes are written as .ply, .obj, .glb or .gltf, not as '{}'", out));
   }
 }
 
@@ -91,7 +103,7 @@ int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& f
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
   const DenseMap map = places_on(giver, receiver, match, transfer.direction);
-  const AttributedMesh carried = carry_attributes(giver, receiver, map.places);
+  const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
   warn_of_losses(giver, transfer, console);
   write_files(files_of(carried, map, transfer));
   console.clear();

@@ -46,6 +46,8 @@ constexpr const char* kExamples = R"(Examples:
   homolog transfer bears/match.json --attributes painted.ply --onto bear_bis.off --out painted_bis.ply
   # Its UVs and materials, onto the mesh beside the match: the .obj, its .mtl and its pictures
   homolog transfer bears/match.json --attributes painted.obj --out painted_bis.obj
+  # All that a rigged .glb holds: materials, skin weights with the skeleton, shape keys
+  homolog transfer bears/match.json --attributes rigged.glb --out rigged_bis.glb
 
 A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json, NA in .tps and .txt,
 9999 in .pts). Which part that is stands in parts.json beside match.json. Points of .mrk.json and .fcsv are taken to LPS, whichever system
@@ -54,7 +56,10 @@ a .ply it is a property of the vertices beside quality, how surely they are cove
 
 --attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
 triangle's corners, a label is the nearest one's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
-has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried'.)";
+has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried', in a .glb it has
+none. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the surface about them, and keep
+their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has, and keys fade there.
+Animations are not carried.)";
 
 /// Throws UsageError for a file that cannot be written, and when it is not said what to carry.
 void check_options(const TransferOptions& options) {

@@ -5,8 +5,9 @@ include(CMakePackageConfigHelpers)
 set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/homolog)
 install(TARGETS homolog EXPORT homologTargets)
 install(TARGETS homolog_cli)
-# Two headers stay behind: they show nlohmann's JSON, which a user of the library need not have.
-install(DIRECTORY src/homolog TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "json_text.h" EXCLUDE PATTERN "report_mesh.h" EXCLUDE)
+# Some headers stay behind: they show nlohmann's JSON, which a user of the library need not have.
+install(DIRECTORY src/homolog TYPE INCLUDE FILES_MATCHING PATTERN "*.h" PATTERN "json_text.h" EXCLUDE PATTERN "report_mesh.h" EXCLUDE
+  PATTERN "glb.h" EXCLUDE PATTERN "gltf_*.h" EXCLUDE PATTERN "read_gltf_materials.h" EXCLUDE PATTERN "read_gltf_rig.h" EXCLUDE)
 install(EXPORT homologTargets NAMESPACE homolog:: DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/homologConfig.cmake.in ${PROJECT_BINARY_DIR}/homologConfig.cmake INSTALL_DESTINATION ${package_dir})

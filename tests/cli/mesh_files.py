@@ -81,13 +81,67 @@ def gltf(v, f, uri=None):
 
 
 def glb(v, f):
-    scene, data = gltf_parts(v, f)
+    return glb_of(*gltf_parts(v, f))
+
+
+def glb_of(scene, data):
     text = json.dumps(scene).encode()
     chunks = b""
     for kind, body, fill in ((b"JSON", text, b" "), (b"BIN\0", data, b"\0")):
         body += fill * (-len(body) % 4)
         chunks += struct.pack("<I", len(body)) + kind + body
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
+
+
+def rigged_glb(v, f, neck):
+    """With joints at the origin and at y = neck, a shape key that lifts what is above by up to .5, and an animation of nothing."""
+    scene, data = gltf_parts(v, f)
+
+    def table(rows, form, **more):
+        nonlocal data
+        data += bytes(-len(data) % 4)
+        body = b"".join(struct.pack("<" + form, *row) for row in rows)
+        scene["bufferViews"].append({"buffer": 0, "byteOffset": len(data), "byteLength": len(body)})
+        data += body
+        kind = {"4B": (5121, "VEC4"), "4f": (5126, "VEC4"), "3f": (5126, "VEC3"), "16f": (5126, "MAT4"), "f": (5126, "SCALAR")}[form]
+        scene["accessors"].append({"bufferView": len(scene["bufferViews"]) - 1, "componentType": kind[0], "type": kind[1], "count": len(rows), **more})
+        return len(scene["accessors"]) - 1
+
+    share = [min(max((x[1] - neck) / 0.6 + 0.5, 0), 1) for x in v]
+    highest = max(x[1] for x in v)
+    primitive = scene["meshes"][0]["primitives"][0]
+    scene["accessors"][1].update(componentType=5125)
+    corners = b"".join(struct.pack("<3I", *t) for t in f)
+    scene["bufferViews"][1].update(byteOffset=len(data), byteLength=len(corners))
+    data += corners
+    primitive["attributes"]["JOINTS_0"] = table([(0, 1, 0, 0)] * len(v), "4B")
+    primitive["attributes"]["WEIGHTS_0"] = table([(1 - s, s, 0, 0) for s in share], "4f")
+    primitive["targets"] = [{"POSITION": table([(0, 0.5 * max(x[1] - neck, 0) / (highest - neck), 0) for x in v], "3f", min=[0, 0, 0], max=[0, 0.5, 0])}]
+    scene["meshes"][0]["extras"] = {"targetNames": ["grow"]}
+    identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
+    matrices = table([(*identity, 0, 0, 0, 1), (*identity, 0, -neck, 0, 1)], "16f")
+    times = table([(0,), (1,)], "f", min=[0], max=[1])
+    scene["nodes"] = [{"mesh": 0, "skin": 0}, {"name": "body", "children": [2]}, {"name": "head", "translation": [0, neck, 0]}]
+    scene["scenes"] = [{"nodes": [0, 1]}]
+    scene["skins"] = [{"joints": [1, 2], "inverseBindMatrices": matrices}]
+    sampler = {"input": times, "output": table([(0, 0, 0), (0, 0, 0)], "3f")}
+    scene["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}]}]
+    scene["buffers"][0]["byteLength"] = len(data)
+    return glb_of(scene, data)
+
+
+def read_glb(content):
+    """The JSON, and a function from the number of an accessor to its rows."""
+    size = struct.unpack_from("<I", content, 12)[0]
+    scene = json.loads(content[20 : 20 + size])
+
+    def table(number):
+        accessor = scene["accessors"][number]
+        form = "<" + {"VEC3": 3, "VEC4": 4, "MAT4": 16}[accessor["type"]] * {5126: "f", 5123: "H"}[accessor["componentType"]]
+        start = 28 + size + scene["bufferViews"][accessor["bufferView"]]["byteOffset"]
+        return [struct.unpack_from(form, content, start + i * struct.calcsize(form)) for i in range(accessor["count"])]
+
+    return scene, table
 
 
 def zipped(files):

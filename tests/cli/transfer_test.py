@@ -5,6 +5,7 @@ import json
 import os
 
 import bear
+import mesh_files
 from program import COARSE, Program, main
 
 
@@ -153,15 +154,46 @@ class Transfer(Program):
         self.assertEqual([us for us in faces if min(us) < 0.5 < max(us)], [])
         self.assertIn(["usemtl", "not_carried"], words)
 
+    def test_a_skin_and_a_shape_key(self):
+        lines = self.read("bear.off").splitlines()
+        count = int(lines[1].split()[0])
+        vertices = [tuple(map(float, line.split())) for line in lines[2 : 2 + count]]
+        faces = [tuple(map(int, line.split()[1:])) for line in lines[2 + count :]]
+        with open(self.path("rigged.glb"), "wb") as file:
+            file.write(mesh_files.rigged_glb(vertices, faces, neck=0.9))
+        done = self.run_it("transfer", "out/match.json", "--attributes", "rigged.glb", "--out", "carried.glb")
+        self.assertEqual((done.returncode, done.stderr), (0, "homolog: warning: rigged.glb: not carried: its animations\n"))
+        self.assertIn("weights of 2 joints, 1 shape key carried from rigged.glb", done.stdout)
+        with open(self.path("carried.glb"), "rb") as file:
+            scene, table = mesh_files.read_glb(file.read())
+        self.assertEqual([node["name"] for node in scene["nodes"]], ["carried", "rig", "body", "head"])
+        primitive = scene["meshes"][0]["primitives"][0]
+        self.assertEqual(scene["meshes"][0]["extras"]["targetNames"], ["grow"])
+        places = table(primitive["attributes"]["POSITION"])
+        weights = table(primitive["attributes"]["WEIGHTS_0"])
+        self.assertLess(max(abs(sum(row) - 1) for row in weights), 1e-5)
+        head = table(scene["skins"][0]["inverseBindMatrices"])[1]
+        neck = [-sum(head[4 * axis + k] * head[12 + k] for k in range(3)) for axis in range(3)]
+        self.assertLess(self.distance(dict(zip("xyz", neck)), bear.turned((0, 0.9, 0))), 0.5)  # a twentieth of the height
+        moved = [(sum(c * c for c in d) ** 0.5, p) for d, p in zip(table(primitive["targets"][0]["POSITION"]), places)]
+        length, top = max(moved)
+        self.assertAlmostEqual(length / 2.5, 0.5, delta=0.1)  # of the giver's, and the receiver is 2.5 times as large
+        self.assertLess(self.distance(dict(zip("xyz", top)), bear.turned(max(vertices, key=lambda v: v[1]))), 2)
+        done = self.run_it("transfer", "out/match.json", "--attributes", "rigged.glb", "--out", "carried.ply")
+        self.assertIn("weights, joints and shape keys are written to a .glb or .gltf alone", done.stderr)
+
     def test_attributes_that_cannot_be_carried(self):
         self.painted()
         match, painted = "out/match.json", ("--attributes", "painted.ply")
         self.expect_message(2, "either --points or --mesh or --attributes", "transfer", match, *painted, "--mesh", "bear.off", "--out", "a.ply")
-        self.expect_message(2, "attributes are written as .ply or .obj, not as 'a.csv'", "transfer", match, *painted, "--out", "a.csv")
+        self.expect_message(2, "attributes are written as .ply, .obj, .glb or .gltf, not as 'a.csv'", "transfer", match, *painted, "--out", "a.csv")
         self.expect_message(2, "--onto goes with --attributes", "transfer", match, "--points", "points.csv", "--onto", "bear.off", "--out", "a.csv")
         self.expect_message(2, "--labels goes with --attributes", "transfer", match, "--points", "points.csv", "--labels", "a", "--out", "a.csv")
         self.expect_message(3, "it has no field 'age'; it has colours, labels side, values height", "transfer", match, *painted, "--labels", "age", "--out", "a.ply")
-        self.expect_message(3, "are read from .ply and .obj", "transfer", match, "--attributes", "bear.off", "--out", "a.ply")
+        self.expect_message(3, "are read from .ply, .obj, .gltf and .glb", "transfer", match, "--attributes", "bear.off", "--out", "a.ply")
+        with open(self.path("bad.glb"), "wb") as file:
+            file.write(b"glTF\2\0\0\0")
+        self.expect_message(3, "bad.glb: ", "transfer", match, "--attributes", "bad.glb", "--out", "a.ply")
         self.assertFalse(os.path.exists(self.path("a.ply")))
 
     def test_wrong_usage_and_files(self):

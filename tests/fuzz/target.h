@@ -25,6 +25,7 @@ Target off();
 Target obj();
 Target stl();
 Target ply();
+Target gltf();
 Target nifti();
 Target nrrd();
 Target metaimage();
@@ -39,8 +40,8 @@ Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(),        obj(),     stl(),  ply(), nifti(), nrrd(),         metaimage(),  match_json(),
-          points_csv(), markups(), fcsv(), pts(), tps(),   morphologika(), parameters(), part()};
+  return {off(),        obj(),     stl(),  ply(), gltf(), nifti(),        nrrd(),       metaimage(), match_json(),
+          points_csv(), markups(), fcsv(), pts(), tps(),  morphologika(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {

@@ -63,7 +63,7 @@ TEST_F(ReadAttributes, RefusesWhatSaysNothingOrCannot) {
     return std::string();
   };
   EXPECT_THAT(message("a.ply", ply("", "0 0 0\n1 0 0\n0 1 0\n")), HasSubstr("a.ply: it says nothing but the form"));
-  EXPECT_THAT(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), HasSubstr("are read from .ply and .obj"));
+  EXPECT_THAT(message("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), HasSubstr("are read from .ply, .obj, .gltf and .glb"));
   EXPECT_THAT(message("b.ply", ply("property uchar red\n", "0 0 0 1\n1 0 0 1\n0 1 0        \n")),
               HasSubstr("b.ply, line 13: a property is missing"));
 }

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Makes the pages that report_test.mjs opens, and the morphs that gltf_test.mjs judges: make_report DIR. The family is laid by hand over
-// two animals made in code, so that the pages do not depend on what the algorithm finds.
+// Makes the pages that report_test.mjs opens, and the morphs and carried attributes that gltf_test.mjs judges: make_report DIR. The family
+// is laid by hand over two animals made in code, so that the pages do not depend on what the algorithm finds.
 #include <Eigen/Geometry>
 #include <filesystem>
 
 #include "fixtures/solids.h"
+#include "homolog/match/carry_attributes.h"
+#include "homolog/outputs/attributes_gltf.h"
 #include "homolog/outputs/dense_files.h"
 #include "homolog/outputs/morph.h"
 #include "homolog/outputs/report.h"
 #include "homolog/outputs/write_file.h"
+#include "homolog/shape/gltf_file.h"
 #include "homolog/shape/voxelize.h"
 
 namespace {
@@ -91,6 +94,38 @@ Family make_family(const Animal& model, const Animal& data) {
   return family;
 }
 
+/// Two by two pixels.
+constexpr const char* kPicture =
+    "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAEklEQVR4nGP4"
+    "z8DAAMIM/4EAAB/uBfsL2WiLAAAAAElFTkSuQmCC";
+
+/// An animal with a bone from its middle to either end, a head that can be raised, colours, and two UV islands, one of them with a picture.
+AttributedMesh dressed(const Mesh& mesh) {
+  AttributedMesh animal;
+  animal.mesh = mesh;
+  animal.rig.joints = {{"pelvis", -1, Mat4::Identity()}, {"neck", 0, Mat4::Identity()}, {"tail", 0, Mat4::Identity()}};
+  animal.rig.joints[1].bind(0, 3) = 0.6;
+  animal.rig.joints[2].bind(0, 3) = -0.7;
+  animal.shape_keys = {{"nod", 0.5, {}}};
+  for (const Vec3& x : mesh.vertices) {
+    const auto front = static_cast<float>(std::clamp(2 * x.x() - 0.7, 0.0, 1.0)),
+               back = static_cast<float>(std::clamp(-2 * x.x() - 0.9, 0.0, 1.0));
+    animal.rig.influences.push_back(strongest_influences({{0, 1 - front - back}, {1, front}, {2, back}}));
+    animal.shape_keys[0].displacements.push_back(std::max(0.0, x.x() - 0.7) * Vec3(0, 0, -0.5));
+    animal.colours.push_back({1, front, back, 1});
+    for (const double u : {0.3, 0.7}) animal.texturing.uvs.push_back({u + x.x() / 10, 0.5 + x.z() / 4});
+  }
+  for (const auto& [a, b, c] : mesh.triangles) {
+    const std::uint32_t left = mesh.vertices[a].y() + mesh.vertices[b].y() + mesh.vertices[c].y() > 0;
+    animal.texturing.corners.push_back({2 * a + left, 2 * b + left, 2 * c + left});
+    animal.texturing.material_of.push_back(static_cast<int>(left));
+  }
+  animal.texturing.materials = {{"plain", {0.5f, 0.4f, 0.3f, 0.5f}, -1}, {"painted", {1, 1, 1, 1}, 0}};
+  const GltfFile none{"", {}, {}};
+  animal.texturing.images = {{"picture.png", uri_bytes(none, kPicture, {}).value()}};
+  return animal;
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -113,4 +148,8 @@ int main(int argc, char** argv) {
   const Morph morph = make_morph(map, model.mesh, dense_maps(map, model.mesh, data.mesh));
   write_file(folder / "morph.glb", morph_glb(morph, {}));
   write_file(folder / "coloured.glb", morph_glb(morph, position_colours(model.mesh)));
+  const DenseMap places = dense_maps(map, model.mesh, data.mesh).model_from_data;
+  const AttributedMesh carried = carry_attributes(dressed(model.mesh), data.mesh, places.places, chirality_of(map));
+  write_files(attributes_gltf(carried, folder / "carried.glb", "deer"));
+  write_files(attributes_gltf(carried, folder / "carried too.gltf", "deer"));
 }

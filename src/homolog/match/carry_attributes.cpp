@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/match/carry_rig.h"
 #include "homolog/match/carry_texturing.h"
 
 namespace homolog {
@@ -60,7 +61,8 @@ double label_between(const std::array<double, 3>& labels, const Vec3& barycentri
   return best;
 }
 
-AttributedMesh carry_attributes(const AttributedMesh& giver, const Mesh& receiver, const std::vector<DensePlace>& places) {
+AttributedMesh carry_attributes(const AttributedMesh& giver, const Mesh& receiver, const std::vector<DensePlace>& places,
+                                Chirality chirality) {
   AttributedMesh carried;
   carried.mesh = receiver;
   if (!giver.colours.empty()) carried.colours.assign(places.size(), no_colour);
@@ -79,6 +81,8 @@ AttributedMesh carry_attributes(const AttributedMesh& giver, const Mesh& receive
     }
   }
   if (!giver.texturing.corners.empty()) carried.texturing = carry_texturing(giver, receiver, places);
+  if (!giver.rig.joints.empty()) carried.rig = carry_rig(giver, receiver, {places, chirality});
+  carried.shape_keys = carry_shape_keys(giver, receiver, {places, chirality});
   return carried;
 }
 

@@ -122,7 +122,8 @@ double chance_within_reach(double expected) { return 1 / (1 + std::pow(expected 
 
 DenseMaps dense_maps(const MatchMap& match, const Mesh& model, const Mesh& data) {
   const double extent = matched_extent(match.model_diagonal, match.scale, match.data_diagonal);
-  const bool mirrored = match.data_from_model.affine.leftCols<3>().determinant() < 0;
+  const Chirality chirality = chirality_of(match);
+  const bool mirrored = chirality == Chirality::mirrored;
   const Mesh outer_model{model.vertices, orient(model).triangles}, outer_data{data.vertices, orient(data).triangles};
   const std::vector<Vec3> model_normals = oriented_normals(outer_model), data_normals = oriented_normals(outer_data);
   const std::vector<CarriedPoint> carried = carry_points(match, model.vertices, Direction::data_from_model);
@@ -133,7 +134,6 @@ DenseMaps dense_maps(const MatchMap& match, const Mesh& model, const Mesh& data)
   }
   on_data.normals = moved_normals(on_data.positions, outer_model, mirrored);
   const Ground data_ground{{data, data_normals}, data, SkinRoutes(data), {most_stretch * match.scale, slack * extent}};
-  const Chirality chirality = mirrored ? Chirality::mirrored : Chirality::proper;
   const Laid laid_model = lay(on_data, data_ground, ElasticSkin(model, match.scale, chirality), extent);
 
   const Drawn on_model{data, data.vertices, data_normals, coverage_of(match.data, match.data_diagonal, data.vertices)};

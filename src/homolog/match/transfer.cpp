@@ -58,6 +58,10 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
   return maps;
 }
 
+Chirality chirality_of(const MatchMap& match) {
+  return match.data_from_model.affine.leftCols<3>().determinant() < 0 ? Chirality::mirrored : Chirality::proper;
+}
+
 void set_rivals(std::vector<MatchMap>& family) {
   for (std::size_t i = 0; i < family.size(); ++i) {
     for (std::size_t j = 0; j < family.size() && family[i].rivals.size() < most_rivals; ++j) {

@@ -29,6 +29,9 @@ struct MatchMap {
 std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape& model, const Shape& data,
                                  const std::vector<MatchParts>& parts);
 
+/// Whether the map turns right-handed into left-handed.
+Chirality chirality_of(const MatchMap& match);
+
 /// Gives each its rivals; maps in the order of the family, best first.
 void set_rivals(std::vector<MatchMap>& family);
 

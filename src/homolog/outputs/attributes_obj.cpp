@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <iterator>
+#include <algorithm>
 
 #include "homolog/outputs/specimen.h"
 
@@ -68,7 +68,12 @@ std::vector<OutputFile> attributes_obj(const AttributedMesh& mesh, const std::fi
   std::vector<OutputFile> files{{out, text + vertices_text(mesh) + faces_text(mesh)}};
   if (texturing.materials.empty()) return files;
   files.push_back({mtl, mtl_text(texturing, out)});
-  for (const Image& image : texturing.images) files.push_back({out.parent_path() / picture_name(out, image), image.bytes});
+  for (std::size_t i = 0; i < texturing.images.size(); ++i) {
+    const bool used = std::any_of(texturing.materials.begin(), texturing.materials.end(),
+                                  [&](const Material& material) { return material.image == static_cast<int>(i); });
+    const Image& image = texturing.images[i];
+    if (used && !image.bytes.empty()) files.push_back({out.parent_path() / picture_name(out, image), image.bytes});
+  }
   return files;
 }
 

@@ -14,6 +14,8 @@ std::string told_attributes(const AttributedMesh& mesh) {
   for (const Field& field : mesh.fields) add((field.kind == Field::Kind::value ? "values " : "labels ") + shown(field.name));
   if (!mesh.texturing.uvs.empty()) add("UVs");
   if (const std::size_t count = mesh.texturing.materials.size(); count > 0) add(fmt::format("{} material{}", count, count == 1 ? "" : "s"));
+  if (const std::size_t count = mesh.rig.joints.size(); count > 0) add(fmt::format("weights of {} joint{}", count, count == 1 ? "" : "s"));
+  if (const std::size_t count = mesh.shape_keys.size(); count > 0) add(fmt::format("{} shape key{}", count, count == 1 ? "" : "s"));
   return told;
 }
 

@@ -2,10 +2,13 @@
 // What files say of a mesh beside its form.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "homolog/shape/mesh.h"
+#include "homolog/shape/rig.h"
 #include "homolog/shape/texturing.h"
 
 namespace homolog {
@@ -23,11 +26,17 @@ struct AttributedMesh {
   Mesh mesh;                  ///< as read_mesh() reads it
   std::vector<Rgba> colours;  ///< of every vertex; empty if there are none
   std::vector<Field> fields;
-  Texturing texturing;               ///< empty if there is none
-  std::vector<std::string> missing;  ///< files that the file names and that are not there
+  Texturing texturing;  ///< empty if there is none
+  Rig rig;              ///< without joints if there is none
+  std::vector<ShapeKey> shape_keys;
+  std::vector<std::string> missing;   ///< files that the file names and that are not there
+  std::vector<std::string> left_out;  ///< what else the file holds and is not read, as "its animations"
 };
 
-/// "colours, values depth, labels part, UVs, 2 materials"; empty if there are none.
+/// The bytes of a file that another one names; none if it is not there.
+using FindOther = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// "colours, values depth, labels part, UVs, 2 materials, weights of 25 joints, 3 shape keys"; empty if there are none.
 std::string told_attributes(const AttributedMesh& mesh);
 
 }  // namespace homolog

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/read_gltf_attributes.h"
 #include "homolog/shape/read_obj_attributes.h"
 #include "homolog/shape/read_ply_attributes.h"
 
@@ -28,6 +29,8 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
     mesh = read_ply_attributes(content, file);
   } else if (lower_extension(path) == ".obj") {
     mesh = read_obj_attributes(content, file, find_other);
+  } else if (const std::string ending = lower_extension(path); ending == ".gltf" || ending == ".glb") {
+    mesh = read_gltf_attributes(content, file, find_other, limits.triangles);
   } else {
     throw FileError(fmt::format("{}: colours, UVs and the like are read from {}; save it as one of these", file, readable_attributes));
   }

@@ -2,17 +2,12 @@
 // Beside read_obj.h: what an OBJ says of its vertices and faces.
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <string>
 #include <string_view>
 
 #include "homolog/shape/attributes.h"
 
 namespace homolog {
-
-/// The bytes of a file that another one names; none if it is not there.
-using FindOther = std::function<std::optional<std::string>(const std::string& name)>;
 
 /// The mesh, its UVs (vt), the materials of its faces with their pictures (usemtl, mtllib, map_Kd), and colours where each vertex has six
 /// numbers. Files that it names and that are not there stand in `missing`. Throws FileError.

@@ -10,12 +10,12 @@
 
 namespace homolog {
 
-using Rgba = std::array<float, 4>;  ///< red, green, blue, alpha, 0 to 1, as the file has them
-using Uv = std::array<double, 2>;   ///< a place on a picture as the file has it, mostly 0 to 1
+using Rgba = std::array<float, 4>;  ///< red, green, blue, alpha, 0 to 1, as screens show them (sRGB)
+using Uv = std::array<double, 2>;   ///< a place on a picture, mostly 0 to 1, from its lower left corner
 
 struct Image {
   std::string name;   ///< of its file, without folders
-  std::string bytes;  ///< of its file: PNG, JPEG, ...
+  std::string bytes;  ///< of its file: PNG, JPEG, ...; empty: it was not there
 };
 
 struct Material {
@@ -32,6 +32,7 @@ struct Texturing {
   std::vector<int> material_of;                       ///< every triangle's number in `materials`; -1: none
   std::vector<Material> materials;
   std::vector<Image> images;
+  std::string gltf;  ///< "materials", "textures" and "samplers" of a glTF file as its JSON, which say more than these; else empty
 
   bool has_uvs(std::size_t triangle) const { return corners[triangle][0] != no_uv; }
 };

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: how a dense map moves, turns and scales what lies about a point.
+#pragma once
+
+#include <vector>
+
+#include "homolog/match/dense.h"
+
+namespace homolog {
+
+/// Where something is and where it goes, and how much that counts.
+struct WeighedPair {
+  Vec3 from, to;
+  double weight;
+};
+
+/// The similarity that minimises sum w |s(from) - to|^2 (Umeyama 1991). Pairs that all come from one place, or of which none counts, are
+/// moved without turn and scale.
+Similarity best_similarity(const std::vector<WeighedPair>& pairs, Chirality chirality);
+
+/// What moves the giver's places to the receiver's vertices about each of these: the best similarity of the vertices around it along the
+/// edges, at least twelve and those nearer than `radius`, of weight area / (distance^2 + radius^2)^2. Only for `wanted` vertices, and only
+/// those with a place count; the others' are the identity.
+std::vector<Similarity> similarities_about(const Mesh& receiver, const std::vector<DensePlace>& places, const std::vector<char>& wanted,
+                                           double radius, Chirality chirality);
+
+/// For every vertex its share of the surface's area.
+std::vector<double> vertex_areas(const Mesh& mesh);
+
+/// Vertices that edges join; copies of a vertex in one place share their neighbours, and are neighbours.
+std::vector<std::vector<std::uint32_t>> neighbours_of(const Mesh& mesh);
+
+}  // namespace homolog

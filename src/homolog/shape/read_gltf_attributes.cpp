@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_gltf_attributes.h"
+
+#include <fmt/format.h>
+
+#include "homolog/base/errors.h"
+#include "homolog/shape/gltf_table.h"
+#include "homolog/shape/read_gltf_materials.h"
+#include "homolog/shape/read_gltf_rig.h"
+#include "homolog/shape/srgb.h"
+
+namespace homolog {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t most_displacements = 50'000'000;
+enum : std::size_t { kTriangles = 4, kStrip = 5, kFan = 6 };
+
+const json no_object = json::object();
+
+const json& object_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_object() ? *found : no_object;
+}
+
+const json& list_at(const json& object, const char* key) {
+  static const json none = json::array();
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? *found : none;
+}
+
+struct Reader {
+  const GltfFile& file;
+  GltfRig rig;
+  std::size_t most_triangles;
+  AttributedMesh mesh;
+  bool has_colours = false;
+};
+
+/// Vertices that primitives of a mesh share, because they name the same tables.
+struct Block {
+  const json &attributes, &targets;
+  std::size_t vertices;
+  std::uint32_t first;                    ///< of the vertices
+  std::optional<std::uint32_t> first_uv;  ///< none: they have no UVs
+};
+
+/// A mesh of the file as a node shows it.
+struct Instance {
+  const json& mesh;
+  Mat4 world;
+  std::optional<std::vector<std::uint16_t>> joints;  ///< of its skin
+  std::vector<Block> blocks;
+};
+
+/// What a primitive's triangles say of its vertices: 0, 1, 2, 3 ... if it has no indices.
+std::vector<double> indices_of(const Reader& reader, const json& primitive, std::size_t vertices) {
+  if (const auto indices = number_at(reader.file, primitive, "indices")) {
+    return read_gltf_table(reader.file, *indices, {"indices", {1}, {}}).values;
+  }
+  std::vector<double> numbers(vertices);
+  for (std::size_t i = 0; i < vertices; ++i) numbers[i] = static_cast<double>(i);
+  return numbers;
+}
+
+void append_triangles(Reader& reader, const json& primitive, std::size_t mode, const Block& block) {
+  const std::vector<double> indices = indices_of(reader, primitive, block.vertices);
+  for (const double index : indices) {
+    if (!(index >= 0 && index < static_cast<double>(block.vertices))) {
+      fail(reader.file, fmt::format("a triangle names vertex {} of {}", index, block.vertices));
+    }
+  }
+  auto& triangles = reader.mesh.mesh.triangles;
+  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
+    const auto at = [&](std::size_t i) { return block.first + static_cast<std::uint32_t>(indices[i]); };
+    triangles.push_back({at(a), at(b), at(c)});
+  };
+  const std::size_t step = mode == kTriangles ? 3 : 1;
+  for (std::size_t i = 0; i + 3 <= indices.size(); i += step) {
+    if (mode == kFan) {
+      add(0, i + 1, i + 2);
+    } else {
+      const bool turned = mode == kStrip && i % 2 == 1;
+      add(i, i + (turned ? 2 : 1), i + (turned ? 1 : 2));
+    }
+  }
+}
+
+void append_positions(Reader& reader, const GltfTable& positions, const Mat4& world) {
+  auto& vertices = reader.mesh.mesh.vertices;
+  for (std::size_t i = 0; i < positions.rows; ++i) vertices.push_back((world * positions.vec3(i).homogeneous()).head<3>());
+}
+
+void append_colours(Reader& reader, const json& attributes, std::size_t vertices) {
+  const auto number = number_at(reader.file, attributes, "COLOR_0");
+  reader.mesh.colours.resize(reader.mesh.colours.size() + vertices, Rgba{1, 1, 1, 1});
+  if (!number) return;
+  reader.has_colours = true;
+  const GltfTable colours = read_gltf_table(reader.file, *number, {"COLOR_0", {3, 4}, vertices});
+  for (std::size_t i = 0; i < vertices; ++i) {
+    Rgba& colour = reader.mesh.colours[reader.mesh.colours.size() - vertices + i];
+    for (std::size_t k = 0; k < colours.columns; ++k) colour[k] = static_cast<float>(colours.at(i, k));
+    colour = srgb_of_linear(colour);
+  }
+}
+
+std::optional<std::uint32_t> append_uvs(Reader& reader, const json& attributes, std::size_t vertices) {
+  const auto number = number_at(reader.file, attributes, "TEXCOORD_0");
+  if (!number) return {};
+  std::vector<Uv>& uvs = reader.mesh.texturing.uvs;
+  const auto first = static_cast<std::uint32_t>(uvs.size());
+  const GltfTable table = read_gltf_table(reader.file, *number, {"TEXCOORD_0", {2}, vertices});
+  for (std::size_t i = 0; i < vertices; ++i) uvs.push_back({table.at(i, 0), 1 - table.at(i, 1)});
+  return first;
+}
+
+/// The UVs and the material of the triangles that a primitive added.
+void append_texturing(Reader& reader, const json& primitive, const Block& block) {
+  Texturing& texturing = reader.mesh.texturing;
+  const auto material = number_at(reader.file, primitive, "material");
+  if (material && *material >= texturing.materials.size()) fail(reader.file, fmt::format("material {} does not exist", *material));
+  for (std::size_t t = texturing.corners.size(); t < reader.mesh.mesh.triangles.size(); ++t) {
+    texturing.corners.push_back({Texturing::no_uv, Texturing::no_uv, Texturing::no_uv});
+    for (int k = 0; k < 3 && block.first_uv; ++k) {
+      texturing.corners.back()[k] = reader.mesh.mesh.triangles[t][k] - block.first + *block.first_uv;
+    }
+    texturing.material_of.push_back(material ? static_cast<int>(*material) : -1);
+  }
+}
+
+/// The key of the name that a mesh gives its target, or of a name made of its number.
+ShapeKey& key_of(Reader& reader, const Instance& instance, std::size_t target) {
+  const json &names = list_at(object_at(instance.mesh, "extras"), "targetNames"), &weights = list_at(instance.mesh, "weights");
+  const bool named = target < names.size() && names[target].is_string();
+  const std::string name = named ? names[target].get<std::string>() : fmt::format("key {}", target + 1);
+  for (ShapeKey& key : reader.mesh.shape_keys) {
+    if (key.name == name) return key;
+  }
+  const bool weighed = target < weights.size() && weights[target].is_number();
+  reader.mesh.shape_keys.push_back({name, weighed ? weights[target].get<double>() : 0, {}});
+  return reader.mesh.shape_keys.back();
+}
+
+void append_shape_keys(Reader& reader, const Instance& instance, const json& primitive, std::size_t first, std::size_t vertices) {
+  const json& targets = list_at(primitive, "targets");
+  for (std::size_t k = 0; k < targets.size(); ++k) {
+    ShapeKey& key = key_of(reader, instance, k);
+    if (reader.mesh.shape_keys.size() * (first + vertices) > most_displacements) {
+      throw FileError(fmt::format("{}: its shape keys hold more than the {} displacements that are read; leave some out", reader.file.name,
+                                  most_displacements));
+    }
+    key.displacements.resize(first + vertices, Vec3::Zero());
+    const auto positions = number_at(reader.file, targets[k], "POSITION");
+    if (!positions) continue;
+    const GltfTable table = read_gltf_table(reader.file, *positions, {"target's POSITION", {3}, vertices});
+    for (std::size_t i = 0; i < vertices; ++i) key.displacements[first + i] = instance.world.topLeftCorner<3, 3>() * table.vec3(i);
+  }
+}
+
+void check_count(const Reader& reader, std::size_t vertices) {
+  const std::size_t triangles = reader.mesh.mesh.triangles.size();
+  if (triangles <= reader.most_triangles && vertices <= 3 * reader.most_triangles) return;
+  throw FileError(
+      fmt::format("{}: it holds more than the {} triangles that are read; simplify the mesh", reader.file.name, reader.most_triangles));
+}
+
+void append_influences(Reader& reader, const Instance& instance, const json& attributes, std::size_t vertices) {
+  auto& influences = reader.mesh.rig.influences;
+  if (!instance.joints) return influences.resize(influences.size() + vertices);
+  const std::vector<Influences> read = read_gltf_influences(reader.file, attributes, vertices, *instance.joints);
+  influences.insert(influences.end(), read.begin(), read.end());
+}
+
+/// The vertices of a primitive, with what is said of them; those of an earlier one if it names the same tables.
+Block block_of(Reader& reader, Instance& instance, const json& primitive) {
+  const json &attributes = object_at(primitive, "attributes"), &targets = list_at(primitive, "targets");
+  for (const Block& block : instance.blocks) {
+    if (block.attributes == attributes && block.targets == targets) return block;
+  }
+  const auto number = number_at(reader.file, attributes, "POSITION");
+  if (!number) fail(reader.file, "a mesh has no POSITION");
+  const GltfTable positions = read_gltf_table(reader.file, *number, {"POSITION", {3}, {}});
+  const std::size_t first = reader.mesh.mesh.vertices.size(), vertices = positions.rows;
+  check_count(reader, first + vertices);
+  append_positions(reader, positions, instance.world);
+  append_colours(reader, attributes, vertices);
+  append_shape_keys(reader, instance, primitive, first, vertices);
+  append_influences(reader, instance, attributes, vertices);
+  const auto first_uv = append_uvs(reader, attributes, vertices);
+  instance.blocks.push_back({attributes, targets, vertices, static_cast<std::uint32_t>(first), first_uv});
+  return instance.blocks.back();
+}
+
+void append_primitive(Reader& reader, Instance& instance, const json& primitive) {
+  const std::size_t mode = number_at(reader.file, primitive, "mode").value_or(kTriangles);
+  if (mode != kTriangles && mode != kStrip && mode != kFan) return;  // points and lines
+  const Block block = block_of(reader, instance, primitive);
+  append_triangles(reader, primitive, mode, block);
+  check_count(reader, reader.mesh.mesh.vertices.size());
+  append_texturing(reader, primitive, block);
+}
+
+void append_nodes(Reader& reader, const std::vector<GltfNode>& nodes) {
+  for (const GltfNode& node : nodes) {
+    const json& content = entry(reader.file, "nodes", node.number);
+    const auto mesh = number_at(reader.file, content, "mesh");
+    if (!mesh) continue;
+    const auto skin = number_at(reader.file, content, "skin");
+    Instance instance{entry(reader.file, "meshes", *mesh), node.world, {}, {}};
+    if (skin) instance.joints = reader.rig.add_skin(*skin, node.world);
+    for (const json& primitive : list_at(instance.mesh, "primitives")) append_primitive(reader, instance, primitive);
+  }
+}
+
+/// Fills in what only some meshes have, and takes off what none has.
+void complete(Reader& reader) {
+  AttributedMesh& mesh = reader.mesh;
+  if (!reader.has_colours) mesh.colours.clear();
+  for (ShapeKey& key : mesh.shape_keys) key.displacements.resize(mesh.mesh.vertices.size(), Vec3::Zero());
+  mesh.rig.joints = reader.rig.joints();
+  if (mesh.rig.joints.empty()) mesh.rig.influences.clear();
+  if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");
+  if (mesh.texturing.uvs.empty() && mesh.texturing.materials.empty()) mesh.texturing = {};
+  if (!list_at(reader.file.document, "animations").empty()) mesh.left_out.emplace_back("its animations");
+}
+
+}  // namespace
+
+AttributedMesh read_gltf_attributes(std::string_view content, const std::string& file, const FindOther& find_other,
+                                    std::size_t most_triangles) {
+  const GltfFile gltf = read_gltf_file(content, file, find_other);
+  const std::vector<GltfNode> nodes = scene_nodes(gltf);
+  Reader reader{gltf, {gltf, nodes}, most_triangles, {}};
+  read_gltf_materials(gltf, find_other, reader.mesh);
+  append_nodes(reader, nodes);
+  complete(reader);
+  for (const Vec3& vertex : reader.mesh.mesh.vertices) {
+    if (!vertex.allFinite()) fail(gltf, "a coordinate is not a finite number");
+  }
+  return std::move(reader.mesh);
+}
+
+}  // namespace homolog

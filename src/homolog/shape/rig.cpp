@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/rig.h"
+
+#include <algorithm>
+
+namespace homolog {
+
+Influences strongest_influences(std::vector<Influence> influences) {
+  std::stable_sort(influences.begin(), influences.end(), [](const Influence& a, const Influence& b) { return a.joint < b.joint; });
+  std::vector<Influence> joined;
+  for (const Influence& influence : influences) {
+    if (!(influence.weight > 0)) continue;
+    if (joined.empty() || joined.back().joint != influence.joint) joined.push_back({influence.joint, 0});
+    joined.back().weight += influence.weight;
+  }
+  std::stable_sort(joined.begin(), joined.end(), [](const Influence& a, const Influence& b) { return a.weight > b.weight; });
+  if (joined.size() > Influences{}.size()) joined.resize(Influences{}.size());
+  float sum = 0;
+  for (const Influence& influence : joined) sum += influence.weight;
+  Influences strongest{};
+  for (std::size_t i = 0; i < joined.size(); ++i) strongest[i] = {joined[i].joint, joined[i].weight / sum};
+  return strongest;
+}
+
+}  // namespace homolog

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What moves a mesh: joints with their weights, and shape keys.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "homolog/base/vec.h"
+
+namespace homolog {
+
+struct Joint {
+  std::string name;
+  int parent = -1;               ///< in Rig::joints; -1: none
+  Mat4 bind = Mat4::Identity();  ///< mesh_from_joint in the pose in which the mesh is as it is, of homogeneous columns
+};
+
+/// How far a vertex follows a joint.
+struct Influence {
+  std::uint16_t joint = 0;
+  float weight = 0;  ///< 0: not at all
+};
+using Influences = std::array<Influence, 4>;  ///< the strongest first; their sum is 1, or 0 for a vertex that follows none
+
+struct Rig {
+  std::vector<Joint> joints;
+  std::vector<Influences> influences;  ///< of every vertex
+};
+
+/// The strongest four, those of one joint as one, so that their sum is 1; all 0 if none is positive. Of equal ones those of the first
+/// joints.
+Influences strongest_influences(std::vector<Influence> influences);
+
+/// Another form of the same mesh, as a face's smile (glTF: morph target).
+struct ShapeKey {
+  std::string name;
+  double weight = 0;                ///< how far the file has it applied, 0: not
+  std::vector<Vec3> displacements;  ///< of every vertex
+};
+
+}  // namespace homolog

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/rig.h"
+
+#include <gtest/gtest.h>
+
+namespace homolog {
+namespace {
+
+TEST(StrongestInfluences, JoinsThoseOfOneJointAndKeepsFourOfSumOne) {
+  const Influences four = strongest_influences({{7, 0.1f}, {2, 0.2f}, {7, 0.3f}, {1, 0.05f}, {3, 0.3f}, {4, 0.1f}, {5, -1}});
+  EXPECT_EQ(four[0].joint, 7);
+  EXPECT_FLOAT_EQ(four[0].weight, 0.4f);
+  EXPECT_EQ(four[1].joint, 3);
+  EXPECT_EQ(four[3].joint, 4);
+  EXPECT_FLOAT_EQ(four[0].weight + four[1].weight + four[2].weight + four[3].weight, 1);
+}
+
+TEST(StrongestInfluences, AreNoneWithoutAPositiveWeight) {
+  for (const Influence& influence : strongest_influences({{3, 0}, {2, -1}})) EXPECT_EQ(influence.weight, 0);
+}
+
+}  // namespace
+}  // namespace homolog
