@@ -273,10 +273,11 @@ class Examples(Program):
                 self.assertNotEqual(done.stdout, "")
 
     def test_examples_of_the_library_run(self):
-        for words in (("example_01_match", "bear.off", "bear_bis.off"), ("example_02_stages", "bear.off")):
+        for words in (("example_01_match", "bear.off", "bear_bis.off"), ("example_02_stages", "bear.off"),
+                      ("example_03_match_stages", "bear.off", "bear_bis.off")):
             done = subprocess.run([os.path.join(EXAMPLES, words[0]), *words[1:]], cwd=self.folder.name, capture_output=True, text=True, timeout=300)
             self.assertEqual((done.returncode, done.stderr), (0, ""))
-            self.assertRegex(done.stdout, "match, confidence|salient points")
+            self.assertRegex(done.stdout, "match, confidence|salient points|\nmatch,")
 
 
 if __name__ == "__main__":
