@@ -78,7 +78,7 @@ int run(int argc, char** argv) {
   program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   program.allow_extras();  // so that we can say which word is wrong, and what may have been meant
   const Verb verbs[] = {add_match(program), add_symmetry(program), add_points(program), add_transfer(program),
-                        add_dense(program), add_morph(program),    add_params(program)};
+                        add_dense(program), add_morph(program),    add_params(program), add_generate(program)};
   for (const Verb& verb : verbs) verb.app->allow_extras();
   try {
     program.parse(argc, argv);

@@ -20,5 +20,6 @@ Verb add_dense(CLI::App& program);
 Verb add_morph(CLI::App& program);
 Verb add_transfer(CLI::App& program);
 Verb add_params(CLI::App& program);
+Verb add_generate(CLI::App& program);
 
 }  // namespace homolog::cli

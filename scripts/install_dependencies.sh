@@ -32,7 +32,8 @@ tools=(g++:g++ cmake:cmake ninja:ninja-build pkg-config:pkg-config)
 # assimp's CMake target names zlib, but its package does not bring it.
 libraries=(libeigen3-dev libtbb-dev libassimp-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 if [[ $tests == yes ]]; then
-  tools+=(ccache:ccache python3:python3 clang-format-14:clang-format-14)  # 14 is in all three systems, so all agree on the format
+  tools+=(ccache:ccache python3:python3 clang-format-14:clang-format-14  # 14 is in all three systems, so all agree on the format
+    groff:groff mandoc:mandoc zsh:zsh fish:fish dpkg-shlibdeps:dpkg-dev)
   libraries+=(libgtest-dev libgmock-dev libbenchmark-dev fonts-dejavu-core python3-dev python3-venv libegl1 libosmesa6)
 fi
 
