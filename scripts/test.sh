@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
-#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python, every command of the docs
+#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python, documentation
 #   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, with ThreadSanitizer, and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -43,9 +43,6 @@ python_package() {
     build/venv/bin/python -m pytest -q -p no:cacheprovider
 }
 
-# shellcheck disable=SC2317
-commands_of_the_docs() { build/venv/bin/python tests/docs/run_blocks.py build/release/cli/homolog; }
-
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
 
 step install scripts/install_dependencies.sh || finish
@@ -53,7 +50,7 @@ command -v ccache >/dev/null && export CMAKE_CXX_COMPILER_LAUNCHER=ccache
 step build configure_and_build release || finish
 step tests ctest --preset release || true
 step python python_package || true
-step docs commands_of_the_docs || true
+step docs scripts/build_site.sh || true
 if [[ $all == yes ]]; then
   step sanitize unit_tests_of dev || true
   step threads unit_tests_of tsan || true

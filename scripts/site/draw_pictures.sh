@@ -5,7 +5,7 @@ cd "$(dirname "$0")/../.."
 
 runs=build/site/runs pictures=build/site/pictures examples=build/release/examples
 rm -rf "$pictures" && mkdir -p "$pictures"
-(cd viewer && [[ -d node_modules/playwright-core ]] || npm ci --silent)
+[[ -d viewer/node_modules/playwright-core ]] || (cd viewer && npm ci --silent)
 node viewer/picture.mjs "$runs/tutorial/bears/report.html" "$pictures/tutorial_report.png"
 "$examples/example_02_stages" "$runs/tutorial/bear.off" build/site/slice.pgm >/dev/null
 "$examples/example_03_match_stages" "$runs/tutorial/bear.off" "$runs/tutorial/bear_bis.off" >build/site/stages.csv
