@@ -8,11 +8,8 @@
 
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
-#include "homolog/base/read_file.h"
 #include "homolog/match/carry_attributes.h"
-#include "homolog/outputs/attributes_gltf.h"
-#include "homolog/outputs/attributes_obj.h"
-#include "homolog/outputs/attributes_ply.h"
+#include "homolog/outputs/attribute_files.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_attributes.h"
 
@@ -39,31 +36,6 @@ DenseMap places_on(const AttributedMesh& giver, const Mesh& receiver, const Matc
   return forwards ? std::move(maps.model_from_data) : std::move(maps.data_from_model);
 }
 
-bool is_gltf(const std::string& out) { return lower_extension(out) == ".glb" || lower_extension(out) == ".gltf"; }
-
-/// What the format of the file cannot say.
-void warn_of_losses(const AttributedMesh& giver, const AttributeTransfer& transfer, Console& console) {
-  for (const std::string& name : giver.missing) console.warn(fmt::format("{} names {}, which is not there", transfer.options.from, name));
-  for (const std::string& what : giver.left_out) console.warn(fmt::format("{}: not carried: {}", transfer.options.from, what));
-  const bool is_ply = lower_extension(transfer.out) == ".ply";
-  if (!is_ply && !giver.fields.empty()) {
-    console.warn(fmt::format("an {} holds no values and no labels; a .ply does", lower_extension(transfer.out)));
-  }
-  if (is_ply && !giver.texturing.corners.empty()) console.warn("UVs and materials are not written to a .ply; an .obj or .glb holds them");
-  if (is_gltf(transfer.out)) {
-    for (const std::string& name : pictures_left_out(giver.texturing)) console.warn(name + " is no picture that glTF holds (PNG, JPEG)");
-  } else if (!giver.rig.joints.empty() || !giver.shape_keys.empty()) {
-    console.warn("weights, joints and shape keys are written to a .glb or .gltf alone");
-  }
-}
-
-std::vector<OutputFile> files_of(const AttributedMesh& carried, const DenseMap& map, const AttributeTransfer& transfer) {
-  const std::string from = std::filesystem::path(transfer.options.from).filename().string();
-  if (is_gltf(transfer.out)) return attributes_gltf(carried, transfer.out, from);
-  if (lower_extension(transfer.out) == ".obj") return attributes_obj(carried, transfer.out, from);
-  return {{transfer.out, attributes_ply(carried, map.places, from)}};
-}
-
 /// How many triangles were textured; nothing if none could be.
 std::string told_triangles(const Texturing& texturing) {
   if (texturing.uvs.empty()) return "";
@@ -88,9 +60,8 @@ void add_attribute_options(CLI::App& verb, AttributeOptions& options) {
 void check_options(const AttributeOptions& options, const std::string& out) {
   if (options.from.empty() && !options.onto.empty()) throw UsageError("--onto goes with --attributes");
   if (options.from.empty() && !options.labels.empty()) throw UsageError("--labels goes with --attributes");
-  const std::string ending = lower_extension(out);
-  if (!options.from.empty() && ending != ".ply" && ending != ".obj" && !is_gltf(out)) {
-    throw UsageError(fmt::format("attributes are written as .ply, .obj, .glb or .gltf, not as '{}'", out));
+  if (!options.from.empty() && !writes_attributes(out)) {
+    throw UsageError(fmt::format("attributes are written as {}, not as '{}'", writable_attributes, out));
   }
 }
 
@@ -104,8 +75,8 @@ int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& f
   console.stage("laying the meshes onto each other");
   const DenseMap map = places_on(giver, receiver, match, transfer.direction);
   const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
-  warn_of_losses(giver, transfer, console);
-  write_files(files_of(carried, map, transfer));
+  for (const std::string& loss : attribute_losses(giver, transfer.out, transfer.options.from)) console.warn(loss);
+  write_files(attribute_files(carried, map.places, transfer.out, std::filesystem::path(transfer.options.from).filename().string()));
   console.clear();
   const std::string to = transfer.options.onto.empty() ? (forwards ? family.data_file : family.model_file) : transfer.options.onto;
   print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} have none: outside the covered part, or torn\n",

@@ -39,4 +39,10 @@ inline std::vector<Vec3> vectors_of(const Places& rows) {
   return vectors;
 }
 
+inline Mesh mesh_of(const Places& vertices, const Triangles& triangles) {
+  Mesh mesh{vectors_of(vertices), {}};
+  for (Eigen::Index i = 0; i < triangles.rows(); ++i) mesh.triangles.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
+  return mesh;
+}
+
 }  // namespace homolog::python

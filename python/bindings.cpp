@@ -12,6 +12,7 @@
 #include <map>
 
 #include "arrays.h"
+#include "dense.h"
 #include "homolog/shape/read_mesh.h"
 #include "interruptible.h"
 #include "results.h"
@@ -89,9 +90,7 @@ Described describe(const Places& vertices, const Triangles& triangles, const std
   Interruptible working;
   Described described;
   described.params = params_of(given);
-  described.mesh.vertices = vectors_of(vertices);
-  auto& faces = described.mesh.triangles;
-  for (Eigen::Index i = 0; i < triangles.rows(); ++i) faces.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
+  described.mesh = mesh_of(vertices, triangles);
   const auto box = part ? std::optional(Box{part->row(0), part->row(1)}) : std::nullopt;
   described.shape = describe_shape(described.mesh, described.params, box);
   described.shape.name = name;
@@ -157,6 +156,8 @@ void translate(const std::exception_ptr& thrown, void*) {
     std::rethrow_exception(thrown);
   } catch (const FileError& error) {
     PyErr_SetString(PyExc_OSError, error.what());
+  } catch (const OutputError& error) {
+    PyErr_SetString(PyExc_OSError, error.what());
   } catch (const Error& error) {
     PyErr_SetString(PyExc_ValueError, error.what());
   }
@@ -173,7 +174,8 @@ NB_MODULE(_core, module) {
       .def_prop_ro("diagonal", [](const py::Described& d) { return d.shape.diagonal; })
       .def_prop_ro("guessed", [](const py::Described& d) { return d.shape.guessed; })
       .def_prop_ro("points", [](const py::Described& d) { return py::points_fields(d.shape.points); });
-  py::bind_match_map(module);
+  auto match_map = py::bind_match_map(module);
+  py::bind_dense(module, match_map);
   module.def("read", &py::read, nb::arg("path"));
   module.def("describe", &py::describe, nb::arg("vertices"), nb::arg("triangles"), nb::arg("name"), nb::arg("part").none(),
              nb::arg("parameters"));

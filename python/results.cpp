@@ -139,8 +139,8 @@ nb::tuple family_fields(const Family& family, const std::vector<MatchParts>& par
   return nb::make_tuple(matches, counts);
 }
 
-void bind_match_map(nb::module_& module) {
-  nb::class_<MatchMap>(module, "MatchMap", "What carrying points by a match needs.")
+nb::class_<MatchMap> bind_match_map(nb::module_& module) {
+  return nb::class_<MatchMap>(module, "MatchMap", "What carrying points by a match needs.")
       .def("carry", &carry, nb::arg("points"), nb::arg("to_data"))
       .def("__getstate__", [](const MatchMap& map) { return state_of(map); })
       .def("__setstate__", [](MatchMap& map, const MapState& state) { new (&map) MatchMap(map_of(state)); });

@@ -15,6 +15,6 @@ nanobind::dict points_fields(const std::vector<SalientPoint>& points);
 nanobind::tuple family_fields(const Family& family, const std::vector<MatchParts>& parts, const std::vector<MatchMap>& maps);
 
 /// The class MatchMap, which carries points and pickles.
-void bind_match_map(nanobind::module_& module);
+nanobind::class_<MatchMap> bind_match_map(nanobind::module_& module);
 
 }  // namespace homolog::python

@@ -16,11 +16,13 @@ from typing import Any
 
 from homolog import _core
 from homolog._core import __version__
+from homolog.dense import Dense, DenseMap, Morph
 from homolog.results import Carried, Family, Match, Points, ThinPlateSpline, family_of
 from homolog.shapes import Shape, arrays_of, texts_of
 
 __all__ = [
-    "Carried", "Family", "Match", "Points", "Shape", "ThinPlateSpline", "__version__", "describe", "match", "parameters", "points", "symmetry",
+    "Carried", "Dense", "DenseMap", "Family", "Match", "Morph", "Points", "Shape", "ThinPlateSpline", "__version__", "describe", "match",
+    "parameters", "points", "symmetry",
 ]  # fmt: skip
 
 

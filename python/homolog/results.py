@@ -2,13 +2,16 @@
 """What calls return: plain numpy arrays with names, in the coordinates and units of the shapes. All of it pickles."""
 from __future__ import annotations
 
+import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from homolog import _core
+from homolog.dense import Dense, Morph, dense_of
 
 if TYPE_CHECKING:
     from homolog.shapes import Shape
@@ -129,6 +132,35 @@ class Family(Sequence):
 
     def __getitem__(self, rank):
         return self.matches[rank]
+
+    def dense(self, rank: int = 0) -> Dense:
+        """For every vertex of either mesh its place on the other one, by a match; what is there can be carried over."""
+        return self._laid(rank)[0]
+
+    def morph(self, rank: int = 0) -> Morph:
+        """The model turning into the data, by a match."""
+        return self._laid(rank)[1]
+
+    def transfer(self, source: Any, out: Any, rank: int = 0, *, onto: Any = None, to_model: bool = False, labels: Sequence[str] = ()) -> int:
+        """What is painted on a copy of the model, carried to the data and written as a file; returns how many vertices have it.
+
+        `source` and `out` are .ply (colours, values, labels), .obj (UVs, materials, pictures), .glb or .gltf (these, colours, skins, shape
+        keys). `onto`: the mesh that receives it, in the data's coordinates, in any form that `describe` takes; else the data. `to_model`:
+        from a copy of the data to the model. `labels`: fields that hold labels although their type is not whole. What `out` cannot hold is
+        told by a UserWarning. Throws OSError for files that cannot be read or written.
+        """
+        from homolog.shapes import arrays_of
+
+        receiver = self.model if to_model else self.data
+        vertices, faces = (receiver.vertices, receiver.faces) if onto is None else arrays_of(onto)[:2]
+        placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels))
+        for loss in losses:
+            warnings.warn(loss, UserWarning, stacklevel=2)
+        return placed
+
+    def _laid(self, rank: int) -> tuple[Dense, Morph]:
+        meshes = (self.model.vertices, self.model.faces, self.data.vertices, self.data.faces)
+        return dense_of(self[rank]._map.dense(*meshes), self.model, self.data)
 
     def plot(self, rank: int = 0, **keywords: Any) -> Any:
         """Draws a match with PyVista (`pip install homolog[viz]`): both meshes, the covered parts in colour, the pairs with their numbers.

@@ -15,4 +15,5 @@ def test_readme_example_runs(tmp_path, monkeypatch):
     (code,) = re.findall(r"^```python\n(.*?)^```", readme, re.S | re.M)
     names = {}
     exec(code, names)
+    assert len(names["heights"]) == len(names["family"].data.vertices) and (tmp_path / "morph.glb").read_bytes()[:4] == b"glTF"
     assert len(names["family"]) > 0 and names["carried"].position.shape == names["model"].vertices.shape

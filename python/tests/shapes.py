@@ -9,6 +9,7 @@ import numpy as np
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "cli"))
 import bear  # noqa: E402
+import mesh_files  # noqa: E402
 
 COARSE = {"resolution": 64, "sigma0": 0.8}
 ROTATION, SCALE, SHIFT = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]), 2.5, np.array([10, -3, 1])

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "dense.h"
+
+#include <nanobind/eigen/dense.h>
+#include <nanobind/stl/array.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "arrays.h"
+#include "homolog/base/errors.h"
+#include "homolog/match/carry_attributes.h"
+#include "homolog/outputs/attribute_files.h"
+#include "homolog/outputs/morph.h"
+#include "homolog/outputs/write_file.h"
+#include "homolog/shape/read_attributes.h"
+#include "interruptible.h"
+
+namespace nb = nanobind;
+
+namespace homolog::python {
+namespace {
+
+using Numbers = Eigen::Matrix<std::int64_t, Eigen::Dynamic, 1>;
+using Table = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+nb::dict map_fields(const DenseMap& map) {
+  const auto or_none = [](const DensePlace& place, const Vec3& there) -> Vec3 { return place.is_there() ? there : Vec3::Constant(none); };
+  nb::dict fields;
+  fields["triangle"] = values_of(map.places, [](const DensePlace& p) { return p.is_there() ? std::int64_t{p.triangle} : -1; });
+  fields["barycentric"] = places_of(map.places, [&](const DensePlace& p) { return or_none(p, p.barycentric); });
+  fields["position"] = places_of(map.places, [&](const DensePlace& p) { return or_none(p, p.position); });
+  fields["confidence"] = values_of(map.places, [](const DensePlace& p) { return p.confidence; });
+  fields["torn"] = map.torn;
+  fields["triangles"] = map.triangles;
+  fields["folded"] = map.folded;
+  return fields;
+}
+
+nb::dict dense(const MatchMap& match, const Places& model_vertices, const Triangles& model_faces, const Places& data_vertices,
+               const Triangles& data_faces) {
+  DenseMaps maps;
+  Morph morph;
+  {
+    Interruptible working;
+    const Mesh model = mesh_of(model_vertices, model_faces), data = mesh_of(data_vertices, data_faces);
+    maps = dense_maps(match, model, data);
+    morph = make_morph(match, model, maps);
+  }
+  nb::dict fields;
+  fields["data_from_model"] = map_fields(maps.data_from_model);
+  fields["model_from_data"] = map_fields(maps.model_from_data);
+  fields["morph"] = nb::make_tuple(places_of(morph.start.vertices), places_of(morph.end));
+  return fields;
+}
+
+/// The columns of `values`, of the vertices of the other mesh, at the places on it.
+Table between(const Numbers& triangle, const Places& barycentric, const Triangles& faces, const Table& values, bool labels) {
+  Interruptible working;
+  Table result = Table::Constant(triangle.size(), values.cols(), none);
+  for (Eigen::Index i = 0; i < triangle.size(); ++i) {
+    if (triangle[i] < 0 || triangle[i] >= faces.rows()) continue;
+    const Vec3 shares = barycentric.row(i).transpose();
+    for (Eigen::Index column = 0; column < values.cols(); ++column) {
+      std::array<double, 3> corners;
+      for (int k = 0; k < 3; ++k) corners[static_cast<std::size_t>(k)] = values(faces(triangle[i], k), column);
+      result(i, column) = labels ? label_between(corners, shares) : value_between(corners, shares);
+    }
+  }
+  return result;
+}
+
+void write_morph(const std::filesystem::path& path, const Places& start, const Places& end, const Triangles& faces,
+                 const std::vector<Colour>& colours) {
+  Interruptible working;
+  write_file(path, morph_glb({mesh_of(start, faces), vectors_of(end)}, colours));
+}
+
+void take_as_labels(AttributedMesh& giver, const std::vector<std::string>& labels) {
+  for (const std::string& name : labels) {
+    const auto field = std::find_if(giver.fields.begin(), giver.fields.end(), [&](const Field& f) { return f.name == name; });
+    if (field == giver.fields.end()) throw ParamError("there is no field '" + name + "'; there are " + told_attributes(giver));
+    field->kind = Field::Kind::label;
+  }
+}
+
+/// What `from` says of its mesh, carried to another one and written; returns what could not be, in sentences, and how many vertices have a
+/// place.
+nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, const std::filesystem::path& out, const Places& vertices,
+                   const Triangles& faces, bool to_data, const std::vector<std::string>& labels) {
+  std::vector<std::string> losses;
+  std::size_t placed = 0;
+  {
+    Interruptible working;
+    if (!writes_attributes(out))
+      throw ParamError(std::string("attributes are written as ") + writable_attributes + ", not as '" + out.string() + "'");
+    AttributedMesh giver = read_attributes(from);
+    take_as_labels(giver, labels);
+    const Mesh receiver = mesh_of(vertices, faces);
+    const DenseMaps maps = dense_maps(match, to_data ? giver.mesh : receiver, to_data ? receiver : giver.mesh);
+    const DenseMap& map = to_data ? maps.model_from_data : maps.data_from_model;
+    const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
+    write_files(attribute_files(carried, map.places, out, from.filename().string()));
+    losses = attribute_losses(giver, out, from.string());
+    placed = map.placed;
+  }
+  return nb::make_tuple(placed, losses);
+}
+
+}  // namespace
+
+void bind_dense(nb::module_& module, nb::class_<MatchMap>& map) {
+  map.def("dense", &dense, nb::arg("model_vertices"), nb::arg("model_faces"), nb::arg("data_vertices"), nb::arg("data_faces"));
+  map.def("transfer", &transfer, nb::arg("source"), nb::arg("out"), nb::arg("vertices"), nb::arg("faces"), nb::arg("to_data"),
+          nb::arg("labels"));
+  module.def("between", &between, nb::arg("triangle"), nb::arg("barycentric"), nb::arg("faces"), nb::arg("values"), nb::arg("labels"));
+  module.def("write_morph", &write_morph, nb::arg("path"), nb::arg("start"), nb::arg("end"), nb::arg("faces"), nb::arg("colours"));
+}
+
+}  // namespace homolog::python

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/attribute_files.h"
+
+#include <gmock/gmock.h>
+
+#include "fixtures/capsule.h"
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+AttributedMesh rigged_capsule() {
+  AttributedMesh mesh;
+  mesh.mesh = capsule::mesh();
+  mesh.rig = capsule::rig_of(mesh.mesh);
+  return mesh;
+}
+
+TEST(AttributeFiles, AreOfTheFormatThatTheNameAsksFor) {
+  const AttributedMesh mesh = rigged_capsule();
+  const std::vector<DensePlace> places(mesh.mesh.vertices.size());
+  EXPECT_EQ(attribute_files(mesh, places, "a.GLB", "b")[0].contents.substr(0, 4), "glTF");
+  EXPECT_EQ(attribute_files(mesh, places, "a.gltf", "b")[1].path, "a.bin");
+  EXPECT_EQ(attribute_files(mesh, places, "a.ply", "b")[0].contents.substr(0, 3), "ply");
+  EXPECT_EQ(attribute_files(mesh, places, "a.obj", "b")[0].contents.substr(0, 1), "#");
+  EXPECT_THROW(attribute_files(mesh, places, "a.stl", "b"), OutputError);
+}
+
+TEST(AttributeLosses, TellWhatAFormatCannotHold) {
+  AttributedMesh mesh = rigged_capsule();
+  EXPECT_THAT(attribute_losses(mesh, "a.glb", "b"), IsEmpty());
+  EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"), ElementsAre("weights, joints and shape keys are written to a .glb or .gltf alone"));
+  mesh.rig = {};
+  mesh.fields = {{"depth", Field::Kind::value, {}}};
+  mesh.left_out = {"its animations"};
+  EXPECT_THAT(attribute_losses(mesh, "a.ply", "b.glb"), ElementsAre("b.glb: not carried: its animations"));
+  EXPECT_EQ(attribute_losses(mesh, "a.glb", "b").back(), ".glb files hold no values and no labels; .ply files do");
+}
+
+}  // namespace
+}  // namespace homolog
