@@ -52,6 +52,20 @@ def test_vertices_and_triangles(points):
     assert points_of(SimpleNamespace(vertices=vertices, triangles=faces)) == points
 
 
+def test_open3d(points):  # not of the test extra, for it brings half a gigabyte: pip install open3d-cpu
+    open3d = pytest.importorskip("open3d")
+    vertices, faces = bear_arrays()
+    places, triangles = open3d.utility.Vector3dVector(vertices), open3d.utility.Vector3iVector(faces)
+    model = open3d.geometry.TriangleMesh(places, triangles)
+    assert points_of(model) == points
+    family = homolog.match(model, (moved(vertices), faces), **COARSE)
+    model.transform(family[0].similarity)
+    assert np.linalg.norm(np.asarray(model.vertices) - moved(vertices), axis=1).mean() < 0.02 * np.linalg.norm(np.ptp(moved(vertices), axis=0))
+    places.clear()
+    places.extend(family.morph().end)
+    assert open3d.geometry.TriangleMesh(places, triangles).get_surface_area() > 0
+
+
 def test_path(points, tmp_path):
     vertices, faces = bear_arrays()
     rows = [f"{len(vertices)} {len(faces)} 0", *(" ".join(map(repr, map(float, v))) for v in vertices), *(f"3 {a} {b} {c}" for a, b, c in faces)]
