@@ -38,6 +38,18 @@ TEST(Orient, KeepsCavitiesEvenOfReversedSolids) {
   EXPECT_NEAR(oriented_volume(meshes::joined(outer, inner)), 27 + 1, 1e-12);  // a solid in a solid: winding number 2
 }
 
+TEST(Orient, KeepsManyCavities) {  // in bearable time, as in scans of porous things
+  constexpr int bubbles = 16;
+  Mesh sponge = meshes::sphere(6);
+  const Mesh bubble = meshes::reversed(meshes::box(Vec3::Zero(), Vec3::Constant(0.02)));
+  for (int i = 0; i < bubbles * bubbles * bubbles; ++i) {
+    const Vec3 place(i % bubbles, i / bubbles % bubbles, i / bubbles / bubbles);
+    sponge = meshes::joined(std::move(sponge), meshes::moved(bubble, Mat3::Identity(), Vec3::Constant(-0.5) + place / bubbles));
+  }
+  EXPECT_EQ(orient(sponge).components, 1 + std::size_t{bubbles} * bubbles * bubbles);
+  EXPECT_NEAR(oriented_volume(sponge), meshes::volume(sponge), 1e-9);
+}
+
 TEST(Orient, TurnsReversedSolidsThatAreNotInside) {
   const Mesh a = meshes::box({0, 0, 0}, {2, 2, 2}), beside = meshes::box({5, 0, 0}, {6, 1, 1}), across = meshes::box({1, 1, 1}, {3, 3, 3});
   EXPECT_NEAR(oriented_volume(meshes::joined(a, meshes::reversed(beside))), 8 + 1, 1e-12);

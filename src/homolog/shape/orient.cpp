@@ -17,6 +17,8 @@ using Triangle = std::array<std::uint32_t, 3>;
 
 constexpr double most_open = 0.25;  // |sum of area vectors| / area, 0 when closed, 1 for a flat patch: beyond it, volume says nothing
 
+constexpr std::size_t triangles_a_row = 16, most_rows = 4096;
+
 /// One side of a triangle: `key` names the edge whichever way it runs.
 struct Side {
   std::uint64_t key;
@@ -26,6 +28,7 @@ struct Side {
 
 struct Component {
   std::vector<std::uint32_t> triangles;
+  std::vector<std::vector<std::uint32_t>> rows;  // of the same by height, once something is looked for in it
   Box box;
   double volume = 0;
   bool solid = false;   // closed enough for its volume to have a sign
@@ -136,9 +139,26 @@ void measure(Component& component, const std::vector<Triangle>& triangles, const
   component.solid = area_vector.norm() < most_open * area;
 }
 
+/// The row of a component's triangles that a height lies in; higher ones lie in no lower row.
+std::size_t row_of(double z, const Component& component) {
+  const double share = (z - component.box.min.z()) / (component.box.max.z() - component.box.min.z());
+  const std::size_t last = component.rows.size() - 1;
+  return share > 0 ? std::min(last, static_cast<std::size_t>(std::min(share, 1.0) * static_cast<double>(last))) : 0;
+}
+
+/// Sorts the triangles by height, as a shape may have thousands of cavities that are looked for in it.
+void sort_into_rows(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  component.rows.resize(std::clamp<std::size_t>(component.triangles.size() / triangles_a_row, 1, most_rows));
+  for (const std::uint32_t t : component.triangles) {
+    const auto& [a, b, c] = triangles[t];
+    const auto [low, high] = std::minmax({mesh.vertices[a].z(), mesh.vertices[b].z(), mesh.vertices[c].z()});
+    for (std::size_t row = row_of(low, component); row <= row_of(high, component); ++row) component.rows[row].push_back(t);
+  }
+}
+
 bool lies_in(const Vec3& point, const Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
   int winding = 0;
-  for (const std::uint32_t t : outer.triangles) {
+  for (const std::uint32_t t : outer.rows[row_of(point.z(), outer)]) {
     const auto& [a, b, c] = triangles[t];
     winding += crossing_beyond(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], point);
   }
@@ -146,8 +166,9 @@ bool lies_in(const Vec3& point, const Component& outer, const std::vector<Triang
 }
 
 /// Whether one solid lies wholly in another one, judged at a few of its corners.
-bool lies_in(const Component& inner, const Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+bool lies_in(const Component& inner, Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
   if ((inner.box.min.array() <= outer.box.min.array()).any() || (inner.box.max.array() >= outer.box.max.array()).any()) return false;
+  if (outer.rows.empty()) sort_into_rows(outer, triangles, mesh);
   const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / 4);
   for (std::size_t i = 0; i < inner.triangles.size(); i += step) {
     if (!lies_in(mesh.vertices[triangles[inner.triangles[i]][0]], outer, triangles, mesh)) return false;
