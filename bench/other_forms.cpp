@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "other_forms.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "change_mesh.h"
+#include "homolog/shape/cloud_surface.h"
 #include "homolog/shape/label_surface.h"
 #include "homolog/shape/surface_nets.h"
 #include "homolog/shape/voxelize.h"
@@ -64,6 +67,27 @@ Mesh labelled(const Mesh& mesh, int resolution) {
   return label_surface(volume, {}, "the label volume");
 }
 
+/// Points drawn evenly from the surface, each moved by normal noise (in shares of the diagonal), with the normals of their triangles.
+PointCloud sampled(const Mesh& mesh, std::size_t count, double noise) {
+  Random random(1, "points");
+  std::vector<double> sums{0};
+  for (const auto& [a, b, c] : mesh.triangles) {
+    sums.push_back(sums.back() + (mesh.vertices[b] - mesh.vertices[a]).cross(mesh.vertices[c] - mesh.vertices[a]).norm());
+  }
+  const double size = noise * bounding_box(mesh).diagonal();
+  PointCloud cloud;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto above = std::upper_bound(sums.begin(), sums.end(), random.unit() * sums.back());
+    const auto& [a, b, c] = mesh.triangles[static_cast<std::size_t>(above - sums.begin() - 1)];
+    const double root = std::sqrt(random.unit()), share = random.unit();
+    const Vec3 along = mesh.vertices[b] - mesh.vertices[a], across = mesh.vertices[c] - mesh.vertices[a];
+    cloud.points.push_back(mesh.vertices[a] + root * ((1 - share) * along + share * across) +
+                           size * Vec3(random.normal(), random.normal(), random.normal()));
+    cloud.normals.push_back(along.cross(across).normalized());
+  }
+  return cloud;
+}
+
 }  // namespace
 
 std::vector<NamedMesh> other_forms(const Mesh& mesh) {
@@ -71,7 +95,11 @@ std::vector<NamedMesh> other_forms(const Mesh& mesh) {
           {"5 % of the triangles", coarsened(mesh, 0.05)},
           {"soup", soup(mesh, 0.1, 0.3)},
           {"label volume, 128", labelled(mesh, 128)},
-          {"label volume, 256", labelled(mesh, 256)}};
+          {"label volume, 256", labelled(mesh, 256)},
+          {"5 000 points", cloud_surface(sampled(mesh, 5000, 0), "the point cloud")},
+          {"50 000 points", cloud_surface(sampled(mesh, 50000, 0), "the point cloud")},
+          {"50 000 points, noise", cloud_surface(sampled(mesh, 50000, 0.001), "the point cloud")},
+          {"500 000 points", cloud_surface(sampled(mesh, 500000, 0), "the point cloud")}};
 }
 
 }  // namespace homolog::bench

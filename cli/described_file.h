@@ -24,6 +24,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
 
 /// What help says about a label, and which files a verb reads.
 inline constexpr const char* kLabelHelp = "Of a label volume, the voxels of this value; 0 for all that are not 0.";
-inline constexpr const char* kShapeHelp = "a mesh (OFF, OBJ, PLY, STL, glTF, ...) or a label volume (NIfTI, NRRD, MetaImage)";
+inline constexpr const char* kShapeHelp =
+    "a mesh (OFF, OBJ, PLY, STL, glTF, ...), a label volume (NIfTI, NRRD, MetaImage) or a point cloud with normals (PLY, XYZ)";
 
 }  // namespace homolog::cli

@@ -32,7 +32,7 @@ void add_limit_options(CLI::App& verb, Limits& limits) {
         ->check(CLI::Range(1ul, kMost));
   };
   add("--max-bytes", limits.file.bytes, "Refuse files of more bytes");
-  add("--max-triangles", limits.file.triangles, "Refuse meshes of more triangles");
+  add("--max-triangles", limits.file.triangles, "Refuse meshes of more triangles, clouds of more points");
   add("--max-voxels", limits.file.voxels, "Refuse label volumes of more voxels");
   add("--max-points", limits.points, "Refuse shapes with more salient points");
   verb.add_option_function<std::uint64_t>("--max-memory", limit_memory, "Take no more MiB of memory; default 0, all there is.")

@@ -7,6 +7,7 @@ import struct
 import zipfile
 
 import bear
+import cloud_files
 
 HEADER_OF_3DS, BYTES_A_CHUNK = 0x4D4D, 6
 
@@ -283,4 +284,7 @@ def all_files():
         "text.fbx": fbx_text(v, f),
         "binary.fbx": fbx_binary(v, f),
         "solid.3ds": threeds(v, f),
+        "cloud.xyz": cloud_files.xyz(),
+        "cloud.ply": cloud_files.ply("ascii"),
+        "binary_cloud.ply": cloud_files.ply("binary_little_endian"),
     }

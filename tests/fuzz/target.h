@@ -25,6 +25,8 @@ Target off();
 Target obj();
 Target stl();
 Target ply();
+Target xyz();
+Target ply_cloud();
 Target gltf();
 Target nifti();
 Target nrrd();
@@ -40,8 +42,8 @@ Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(),        obj(),     stl(),  ply(), gltf(), nifti(),        nrrd(),       metaimage(), match_json(),
-          points_csv(), markups(), fcsv(), pts(), tps(),  morphologika(), parameters(), part()};
+  return {off(),        obj(),        stl(),     ply(),  xyz(), ply_cloud(), gltf(),         nifti(),      nrrd(), metaimage(),
+          match_json(), points_csv(), markups(), fcsv(), pts(), tps(),       morphologika(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {

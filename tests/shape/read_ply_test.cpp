@@ -97,7 +97,8 @@ TEST_F(ReadPly, RefusesDamagedHeaders) {
   expect_error("a.ply", start + "element vertex 9223372036854775807\n" + xyz + "end_header\n0 0 0\n", "too short");
   expect_error("a.ply", start + "element vertex 4000000000\nend_header\n0 0 0\n", "no properties");
   expect_error("a.ply", start + "element vertex 1\nproperty quad x\nend_header\n0\n", "line 4: the header names a type");
-  expect_error("a.ply", start + "element vertex 1\nproperty float x\nend_header\n0\n", "properties x, y and z");
+  const std::string face = "element face 1\nproperty list uchar int vertex_indices\n";  // without, it would be a cloud
+  expect_error("a.ply", start + "element vertex 1\nproperty float x\n" + face + "end_header\n0\n3 0 0 0\n", "properties x, y and z");
   expect_error("a.ply", start + "element vertex 1\n" + xyz + "property list float int a\nend_header\n0 0 0 0\n", "whole-number type");
   expect_error("a.ply", start + "elephant 3\nend_header\n", "line 3: the header has a line that PLY does not know");
   expect_error("a.ply", start + "property float x\nend_header\n", "line 3: the header has a line that PLY does not know");

@@ -34,6 +34,9 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
   } else {
     throw FileError(fmt::format("{}: colours, UVs and the like are read from {}; save it as one of these", file, readable_attributes));
   }
+  if (mesh.mesh.triangles.empty()) {
+    throw FileError(fmt::format("{}: it is a point cloud, whose points are no corners of a surface; paint a mesh instead", file));
+  }
   if (told_attributes(mesh).empty()) {
     throw FileError(fmt::format("{}: it says nothing but the form, neither colours nor UVs nor values; export it with them", file));
   }

@@ -5,17 +5,21 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
+#include "homolog/shape/cloud_surface.h"
 #include "homolog/shape/read_metaimage.h"
 #include "homolog/shape/read_nifti.h"
 #include "homolog/shape/read_nrrd.h"
 #include "homolog/shape/read_obj.h"
 #include "homolog/shape/read_off.h"
 #include "homolog/shape/read_ply.h"
+#include "homolog/shape/read_ply_cloud.h"
 #include "homolog/shape/read_scene.h"
 #include "homolog/shape/read_stl.h"
+#include "homolog/shape/read_xyz.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
 
@@ -45,16 +49,29 @@ std::optional<RawVolume> read_volume(std::string_view content, const fs::path& p
   return {};
 }
 
-Mesh read_content(const fs::path& path, const std::string& content) {
+Mesh surface_of(PointCloud cloud, const std::string& file, std::size_t most_points) {
+  if (cloud.points.size() > most_points) {
+    throw FileError(
+        fmt::format("{}: {} points are more than the {} that are read; thin the cloud out", file, cloud.points.size(), most_points));
+  }
+  return cloud_surface(std::move(cloud), file);
+}
+
+Mesh read_ply_content(const std::string& content, const std::string& file, std::size_t most_points) {
+  return is_ply_cloud(content, file) ? surface_of(read_ply_cloud(content, file), file, most_points) : read_ply(content, file);
+}
+
+Mesh read_content(const fs::path& path, const std::string& content, const ReadLimits& limits) {
   const std::string extension = lower_extension(path);
-  if (content.compare(0, 3, "ply") == 0) return read_ply(content, path.string());
+  if (content.compare(0, 3, "ply") == 0) return read_ply_content(content, path.string(), limits.triangles);
   if (extension == ".off") return read_off(content, path.string());
   if (extension == ".obj") return read_obj(content, path.string());
   if (extension == ".ply") return read_ply(content, path.string());
   if (extension == ".stl") return weld(read_stl(content, path.string()));
+  if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, path.string()), path.string(), limits.triangles);
   throw FileError(
-      fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL or one of {}, or a label volume as .nii, .nii.gz, "
-                  ".nrrd or .mha",
+      fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL or one of {}, a label volume as .nii, .nii.gz, "
+                  ".nrrd or .mha, or a point cloud with normals as PLY or .xyz",
                   path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
 }
 
@@ -77,7 +94,7 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
   const std::string content = is_scene ? std::string() : read_file(path, limits.bytes);
   const std::optional<RawVolume> volume = is_scene ? std::nullopt : read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave --label out", path.string()));
-  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : is_scene ? read_scene(path) : read_content(path, content);
+  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : is_scene ? read_scene(path) : read_content(path, content, limits);
   check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Reading shapes: meshes (OFF, OBJ, PLY and STL by ourselves, strictly, as their readers say; scenes by assimp behind a fence), and the
-// surfaces of labels in volumes.
+// surfaces of labels in volumes and of point clouds.
 #pragma once
 
 #include <filesystem>
@@ -14,15 +14,16 @@ namespace homolog {
 /// What a mesh file may have at most; more is refused.
 struct ReadLimits {
   std::uint64_t bytes = most_bytes;
-  std::size_t triangles = 50'000'000;
+  std::size_t triangles = 50'000'000;  ///< or points of a cloud
   std::uint64_t voxels = std::uint64_t{1} << 29;
 };
 
 /// Reads OFF, OBJ, PLY, STL, glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ and PLY keep the file's order and numbers;
 /// those of the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and
-/// lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS. PLY and volumes are known by how
-/// they begin, the others by their names. Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label
-/// that is not there).
+/// lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS; of point clouds with normals (PLY without
+/// faces, XYZ) the surface that they were taken from (cloud_surface.h). PLY, volumes and XYZ are known by how they begin, the others by
+/// their names. Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label that is not there, points
+/// without normals).
 Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
 
 /// Reads a file that another one names: in that one's folder or below, links followed. Throws FileError.

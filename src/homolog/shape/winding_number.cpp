@@ -15,8 +15,17 @@ namespace {
 constexpr std::uint32_t leaf_size = 4;
 constexpr double far = 2.5;  // of its reaches, from where on a group is as good as its area vector
 
-/// The solid angle that a triangle fills, seen from the origin; positive from behind [vanoosterom1983].
+/// The solid angle that a small area far away fills, seen from the origin: it lies at `way`.
+double solid_angle_of(const Vec3& area, const Vec3& way) {
+  const double distance = way.norm();
+  return area.dot(way) / (distance * distance * distance);
+}
+
+/// The same of a triangle; positive from behind [vanoosterom1983].
 double solid_angle_of(const Vec3& a, const Vec3& b, const Vec3& c) {
+  const Vec3 centre = (a + b + c) / 3;
+  const double reach = std::max({(a - centre).squaredNorm(), (b - centre).squaredNorm(), (c - centre).squaredNorm()});
+  if (centre.squaredNorm() > far * far * reach) return solid_angle_of((b - a).cross(c - a) / 2, centre);
   const double la = a.norm(), lb = b.norm(), lc = c.norm();
   return 2 * std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
 }
@@ -78,8 +87,7 @@ std::uint32_t WindingNumber::build(std::uint32_t first, std::uint32_t end) {
 double WindingNumber::solid_angle(std::uint32_t number, const Vec3& x) const {
   const Node& node = nodes_[number];
   const Vec3 way = node.centre - x;
-  const double distance = way.norm();
-  if (distance > far * node.reach) return node.area.dot(way) / (distance * distance * distance);
+  if (way.norm() > far * node.reach) return solid_angle_of(node.area, way);
   if (node.count == 0) return solid_angle(number + 1, x) + solid_angle(node.first, x);
   double sum = 0;
   for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {

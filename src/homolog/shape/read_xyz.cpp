@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_xyz.h"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "homolog/shape/text.h"
+
+namespace homolog {
+namespace {
+
+constexpr double most_off_unit = 0.1;  // of a normal's length: rounded to two digits it still passes, a colour does not
+
+bool is_number(std::string_view word) {
+  if (word.starts_with('+')) word.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+  return error != std::errc::invalid_argument && end == word.data() + word.size();
+}
+
+std::size_t count_words(std::string_view line) {
+  std::size_t words = 0;
+  while (!take_word(line).empty()) ++words;
+  return words;
+}
+
+Vec3 take_normal(Text& text, std::string_view& line) {
+  Vec3 normal;
+  for (int axis = 0; axis < 3; ++axis) normal[axis] = take_number(text, line, "a normal's coordinate");
+  const double length = normal.norm();
+  if (length != 0 && !(std::abs(length - 1) <= most_off_unit)) {
+    fail(text,
+         fmt::format("columns 4 to 6 must be a normal of length 1, but have the length {:.3g}; a colour, perhaps: save x y z nx ny nz",
+                     length));
+  }
+  return normal;
+}
+
+}  // namespace
+
+bool is_xyz(std::string_view content) {
+  Text text{"", content};
+  std::string_view line;
+  if (!next_data_line(text, line)) return false;
+  std::size_t numbers = 0;
+  for (std::string_view word = take_word(line); !word.empty(); word = take_word(line), ++numbers) {
+    if (!is_number(word)) return false;
+  }
+  return numbers >= 3;
+}
+
+PointCloud read_xyz(std::string_view content, const std::string& file) {
+  Text text{file, content};
+  PointCloud cloud;
+  std::string_view line;
+  while (next_data_line(text, line)) {
+    const std::size_t columns = count_words(line);
+    if (columns == 3) fail(text, without_normals);
+    if (columns != 6) fail(text, fmt::format("a line must have the six columns x y z nx ny nz, but has {}", columns));
+    const Vec3 point = take_position(text, line), normal = take_normal(text, line);
+    if (normal.isZero(0)) continue;
+    cloud.points.push_back(point);
+    cloud.normals.push_back(normal);
+  }
+  if (cloud.points.empty()) fail(text, without_normals);
+  return cloud;
+}
+
+}  // namespace homolog
