@@ -70,7 +70,7 @@ std::vector<Value> spread(const std::vector<Value>& values, const Split& split) 
 Floats normals_of(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles, const Split& split) {
   const Floats normals = unit_normals(positions, triangles);
   Floats result;
-  for (const std::uint32_t vertex : split.vertex_of) result.insert(result.end(), &normals[3 * vertex], &normals[3 * vertex] + 3);
+  for (const std::size_t vertex : split.vertex_of) result.insert(result.end(), &normals[3 * vertex], &normals[3 * vertex] + 3);
   return result;
 }
 
@@ -180,7 +180,8 @@ void add_rig(ordered_json& json, const Rig& rig, GltfContent& content) {
                      {"rotation", {turn.x(), turn.y(), turn.z(), turn.w()}}});
   }
   for (std::size_t i = 0; i < rig.joints.size(); ++i) {
-    nodes[static_cast<std::size_t>(rig.joints[i].parent + 2)]["children"].push_back(i + 2);
+    const int parent = rig.joints[i].parent;
+    nodes[parent < 0 ? 1 : static_cast<std::size_t>(parent) + 2]["children"].push_back(i + 2);
   }
   json["skins"] = {{{"inverseBindMatrices", add_table(content, inverses, 16, GltfTarget::none)}, {"joints", joints}, {"skeleton", 1}}};
   json["scenes"][0]["nodes"].push_back(1);
