@@ -51,7 +51,7 @@ int main(int argc, char** argv) {
   print("grown", grown.front().pairs);
 
   // --8<-- [start:family]
-  const std::vector<Match> matches = make_family(grown, model, data, params, false);
+  const Family family = make_family(grown, model, data, params, false);
   // --8<-- [end:family]
-  if (!matches.empty()) print("match", matches.front().pairs);
+  if (!family.matches.empty()) print("match", family.matches.front().pairs);
 }

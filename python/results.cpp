@@ -136,7 +136,7 @@ nb::tuple family_fields(const Family& family, const std::vector<MatchParts>& par
   for (std::size_t i = 0; i < family.matches.size(); ++i) matches.append(match_fields(family.matches[i], parts[i], maps[i]));
   nb::dict counts;
   for (const auto& [stage, count] : family.counts.stages) counts[stage.c_str()] = count;
-  return nb::make_tuple(matches, counts);
+  return nb::make_tuple(matches, counts, points_fields(family.followed));
 }
 
 nb::class_<MatchMap> bind_match_map(nb::module_& module) {

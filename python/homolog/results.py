@@ -76,7 +76,7 @@ class Carried:
 class Match:
     """One place where the model, or a part of it, occurs in the data: k pairs of points and the map between the shapes."""
 
-    pairs: np.ndarray  #: (k, 2), places of the paired points in Family.model and Family.data
+    pairs: np.ndarray  #: (k, 2), numbers of the paired points in Family.model and Family.data, or in Family.followed beyond those
     pair_confidence: np.ndarray  #: (k,), 0 to 1
     model_points: np.ndarray  #: (k, 3)
     data_points: np.ndarray  #: (k, 3), in the order of model_points
@@ -126,6 +126,7 @@ class Family(Sequence):
     counts: dict[str, int]  #: how many candidates each stage let through, in order
     model: Shape
     data: Shape
+    followed: Points  #: places in the data to which matches follow a point of the model; their numbers go on those of data.points
 
     def __len__(self) -> int:
         return len(self.matches)
@@ -192,8 +193,8 @@ class Family(Sequence):
         return f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
 
 
-def family_of(found: tuple[list[dict], dict[str, int]], model: Shape, data: Shape) -> Family:
+def family_of(found: tuple[list[dict], dict[str, int], dict], model: Shape, data: Shape) -> Family:
     """From what _core returns."""
-    matches, counts = found
+    matches, counts, followed = found
     made = (Match(**{**fields, "data_from_model": ThinPlateSpline(**fields["data_from_model"])}) for fields in matches)
-    return Family(tuple(made), counts, model, data)
+    return Family(tuple(made), counts, model, data, Points(**followed))

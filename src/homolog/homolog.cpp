@@ -51,7 +51,7 @@ Family match_by_pairs(const Shape& model, const Shape& data, const Params& param
   const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
   sets.insert(sets.end(), mirrored.begin(), mirrored.end());
   lap(watch, "growth", sets.size(), "grown sets");
-  Family family{make_family(sets, model, data, params, without_identity), {}};  // Sec. 6.2.3
+  Family family = make_family(sets, model, data, params, without_identity);  // Sec. 6.2.3
   lap(watch, "refinement, evidence", family.matches.size(), "matches");
   measure_chamfer(family.matches, model, data);  // eq. 9
   lap(watch, "chamfer", family.matches.size(), "matches");

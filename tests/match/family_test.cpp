@@ -63,11 +63,11 @@ TEST(DistinctSets, OfTheSameMapTheBestStays) {
 
 TEST(Family, DuplicatesByMapAreOneMatch) {
   const std::vector<GrownSet> sets(3, start({}));
-  EXPECT_EQ(make_family(sets, beast(), beast(), coarse(), false).size(), 1u);
+  EXPECT_EQ(make_family(sets, beast(), beast(), coarse(), false).matches.size(), 1u);
 }
 
 TEST(Family, AMirrorSymmetricBodyIsAmbiguous) {
-  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), false);
+  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), false).matches;
   ASSERT_EQ(both.size(), 2u);
   for (const Match& match : both) EXPECT_EQ(match.handedness, Handedness::ambiguous);
   EXPECT_GT(both[0].similarity.rotation.determinant(), 0);  // of equals the proper one comes first
@@ -76,7 +76,7 @@ TEST(Family, AMirrorSymmetricBodyIsAmbiguous) {
 TEST(Family, ConfidencesFallThoughAMirroredMatchIsAShadeBetter) {
   const auto humped = [](double side) { return described(join({quadruped(), ball({0, side * 0.22, 0.05}, 0.1)})); };
   const Shape model = humped(1), data = humped(-1);
-  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, model, data, coarse(), false);
+  const std::vector<Match> both = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, model, data, coarse(), false).matches;
   ASSERT_EQ(both.size(), 2u);
   EXPECT_GT(both[0].similarity.rotation.determinant(), 0);
   EXPECT_LT(merit_of(both[0].evidence), merit_of(both[1].evidence));
@@ -85,7 +85,7 @@ TEST(Family, ConfidencesFallThoughAMirroredMatchIsAShadeBetter) {
 
 TEST(Family, AWorseWayToLayTheSamePartIsBelievedByTheOddsBetweenThem) {
   const Mat3 half_turn = Eigen::AngleAxisd(M_PI, Vec3::UnitZ()).toRotationMatrix();
-  const std::vector<Match> ways = make_family({start({}), start({1, half_turn, Vec3::Zero()})}, beast(), beast(), coarse(), false);
+  const std::vector<Match> ways = make_family({start({}), start({1, half_turn, Vec3::Zero()})}, beast(), beast(), coarse(), false).matches;
   ASSERT_EQ(ways.size(), 2u);
   const double odds = std::exp(12 * (merit_of(ways[1].evidence) - merit_of(ways[0].evidence)));
   EXPECT_LT(odds, 0.1);
@@ -95,7 +95,8 @@ TEST(Family, AWorseWayToLayTheSamePartIsBelievedByTheOddsBetweenThem) {
 TEST(Family, AnotherCopyIsBelievedOnItsOwn) {
   const auto at = [](double x) { return moved(quadruped(), {Mat3::Identity(), 1, {x, 0, 0}}); };
   const Shape two = described(join({quadruped(), at(4)}), 128);
-  const std::vector<Match> copies = make_family({start({}), start({1, Mat3::Identity(), {4, 0, 0}})}, beast(), two, coarse(), false);
+  const std::vector<Match> copies =
+      make_family({start({}), start({1, Mat3::Identity(), {4, 0, 0}})}, beast(), two, coarse(), false).matches;
   ASSERT_EQ(copies.size(), 2u);
   for (const Match& match : copies) EXPECT_NEAR(match.confidence, confidence_of(match.evidence, Chirality::proper), 1e-12);
 }
@@ -105,14 +106,14 @@ TEST(Family, MirrorParameterLeavesOneChirality) {
   for (const Mirror mirror : {Mirror::forbid, Mirror::only}) {
     Params params = coarse();
     params.match.mirror = mirror;
-    const std::vector<Match> matches = make_family(sets, beast(), beast(), params, false);
+    const std::vector<Match> matches = make_family(sets, beast(), beast(), params, false).matches;
     ASSERT_EQ(matches.size(), 1u);
     EXPECT_EQ(matches[0].similarity.rotation.determinant() < 0, mirror == Mirror::only);
   }
 }
 
 TEST(Family, TheIdentityIsLeftOutOnRequest) {
-  const std::vector<Match> matches = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), true);
+  const std::vector<Match> matches = make_family({start({}), start({1, mirror_y, Vec3::Zero()})}, beast(), beast(), coarse(), true).matches;
   ASSERT_EQ(matches.size(), 1u);
   EXPECT_LT(matches[0].similarity.rotation.determinant(), 0);
 }
@@ -120,17 +121,34 @@ TEST(Family, TheIdentityIsLeftOutOnRequest) {
 TEST(Family, BestFirstOneToOneAndNoLongerThanAsked) {
   const Mat3 turn = Eigen::AngleAxisd(M_PI, Vec3::UnitZ()).toRotationMatrix();
   const std::vector<GrownSet> sets = {start({1, turn, Vec3::Zero()}), start({})};
-  const std::vector<Match> matches = make_family(sets, beast(), beast(), coarse(), false);
+  const std::vector<Match> matches = make_family(sets, beast(), beast(), coarse(), false).matches;
   ASSERT_FALSE(matches.empty());
   EXPECT_LT((matches[0].data_from_model(Vec3(1, 0, 0.5)) - Vec3(1, 0, 0.5)).norm(), 0.1);  // the head on the head
   std::set<int> model, data;
   for (const Correspondence& c : matches[0].pairs) EXPECT_TRUE(model.insert(c.model).second && data.insert(c.data).second);
   Params params = coarse();
   params.match.matches = 1;
-  EXPECT_EQ(make_family(sets, beast(), beast(), params, false).size(), 1u);
+  EXPECT_EQ(make_family(sets, beast(), beast(), params, false).matches.size(), 1u);
 }
 
-TEST(Family, NoSetsNoFamily) { EXPECT_TRUE(make_family({}, beast(), beast(), coarse(), false).empty()); }
+TEST(Family, FollowedPointsGoOnWithTheNumbersOfTheData) {
+  Shape bare = beast();
+  bare.points.resize(5);  // the data lost most of its points
+  bare.descriptors.resize(5);
+  const Family family = make_family({start({})}, beast(), bare, coarse(), false);
+  ASSERT_EQ(family.matches.size(), 1u);
+  ASSERT_FALSE(family.followed.empty());
+  std::size_t next = bare.points.size();
+  for (const Correspondence& c : family.matches[0].pairs) {
+    if (c.data < 5) continue;
+    EXPECT_EQ(c.data, static_cast<int>(next));
+    EXPECT_EQ(c.data_point.position, family.followed[next++ - bare.points.size()].position);
+    EXPECT_LT((c.data_point.position - c.model_point.position).norm(), 0.03 * beast().diagonal);
+  }
+  EXPECT_EQ(next - bare.points.size(), family.followed.size());
+}
+
+TEST(Family, NoSetsNoFamily) { EXPECT_TRUE(make_family({}, beast(), beast(), coarse(), false).matches.empty()); }
 
 TEST(Handedness, HasAWordForEach) {
   EXPECT_STREQ(handedness_name(Handedness::proper), "proper");

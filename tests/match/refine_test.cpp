@@ -37,7 +37,7 @@ TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
 TEST(Refine, TheMatchTellsItsClothAsASpline) {
   Refined refined = drawn(start({}));
   guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);
-  const Match match = match_of(refined, described_hand());
+  const Match match = match_of(refined, described_hand(), described_hand(), coarse());
   for (std::size_t i = 0; i < refined.cloth.nodes.size(); ++i) {
     const double missed = (match.data_from_model(described_hand().body.nodes[i]) - refined.cloth.nodes[i]).norm();
     EXPECT_LT(missed, 0.1 * described_hand().body.spacing);  // nuggets of .02 spacings smooth a little

@@ -53,6 +53,15 @@ TEST_F(MatchJson, ListsEveryParameterByName) {
   EXPECT_EQ(json["parameters"]["mirror"], "allow");
 }
 
+TEST_F(MatchJson, FollowedPointsComeAfterTheDatasOwn) {
+  const std::size_t own = data.points.size();
+  family.followed.push_back(model.points[1]);
+  const ordered_json longer = ordered_json::parse(match_json(model, data, family, params));
+  ASSERT_EQ(longer["data"]["points"].size(), own + 1);
+  EXPECT_EQ(longer["data"]["points"][own], longer["model"]["points"][1]);
+  EXPECT_EQ(longer["model"], json["model"]);
+}
+
 TEST_F(MatchJson, KeepsNumbersToTheLastBit) {
   EXPECT_EQ(json["model"]["points"][2]["position"][2].get<double>(), model.points[2].position.z());
   EXPECT_EQ(json["matches"][0]["chamfer"].get<double>(), family.matches[0].chamfer);

@@ -62,7 +62,7 @@ function pairNumbers({ report, state }) {
   const [a, b] = [report.shapes[0].points[pair.model], report.shapes[1].points[pair.data]];
   return [make('h2', {}, `Pair ${state.pair + 1}`, make('small', {}, `of ${match.pairs.length}`)), numbers([
     ['', 'model', 'data'],
-    ['point', String(pair.model), String(pair.data)],
+    ['point', String(pair.model), b.followed ? `${pair.data}, followed by the map` : String(pair.data)],
     ['radius', short(a.radius), short(b.radius)],
     ['response', short(a.response), short(b.response)],
     ['position', place(a.position), place(b.position)],

@@ -15,9 +15,10 @@ function readMesh({ centre, positions, indices, triangles }) {
   return mesh;
 }
 
-function readShape(side, meshData) {
+/// Points after the first `found` are followed ones: only the match that tells them shows them.
+function readShape(side, meshData, found) {
   const mesh = readMesh(meshData);
-  const points = side.points.map((point) => ({ ...point, place: point.position.map((x, k) => x - mesh.centre[k]) }));
+  const points = side.points.map((point, i) => ({ ...point, followed: i >= found, place: point.position.map((x, k) => x - mesh.centre[k]) }));
   return { name: side.file, points, mesh };
 }
 
@@ -33,6 +34,6 @@ export function readReport(text) {
     counts: result.counts ?? {},
     matches: result.matches ?? [],
     parts: parts.map((sides) => sides.map(readWeights)),
-    shapes: sides.map((side, i) => readShape(side, meshes[i])),
+    shapes: sides.map((side, i) => readShape(side, meshes[i], i ? result.counts['data points'] : side.points.length)),
   };
 }

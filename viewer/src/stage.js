@@ -82,12 +82,12 @@ export class Stage {
       const values = look
         ? new Map(pairs.map((pair) => [side ? pair.data : pair.model, pair.confidence]))
         : new Map([...pane.shape.points.entries()].map(([i, { response }]) => [i, response]).filter(([, value]) => value >= state.least));
-      pane.shape.points.forEach(({ radius }, i) => {
+      pane.shape.points.forEach(({ radius, followed }, i) => {
         const solid = values.has(i);
         pane.balls.set(i, {
           place: places.subarray(3 * i, 3 * i + 3),
           radius: radius * state.ballScale,
-          shown: state.points && (solid || (look && state.others)),
+          shown: state.points && (solid || (look && state.others && !followed)),
           colour: solid ? valueColour(values.get(i)) : idleColour,
           solid,
         });

@@ -5,38 +5,14 @@
 #include <cmath>
 #include <limits>
 
-#include "homolog/describe/sample_blocks.h"
 #include "homolog/match/bending_invariants.h"
+#include "homolog/match/contact.h"
 
 namespace homolog {
 namespace {
 
 constexpr double near_share = 0.1;        // so near along the inside, data counts as the part the model should explain
 constexpr double mirror_handicap = 0.11;  // merit by which a mirrored match must be better to come first
-
-struct Nearest {
-  double plane_distance = std::numeric_limits<double>::infinity(), distance = plane_distance;
-  bool agrees = false;  // normals within 60 degrees
-};
-
-// Views of samples, the blocks they lie in, and the typical distance of neighbours.
-struct Skin {
-  const std::vector<SurfaceSample>& samples;
-  const SampleBlocks& blocks;
-  double spacing;
-};
-
-Nearest nearest(const SurfaceSample& sample, const Skin& skin) {
-  const NearestSample found = nearest_sample(skin.blocks, sample.position);
-  if (found.sample < 0) return {};
-  const SurfaceSample& there = skin.samples[found.sample];
-  return {std::abs((there.position - sample.position).dot(there.normal)), found.distance, sample.normal.dot(there.normal) > 0.5};
-}
-
-bool reaches(const SurfaceSample& sample, const Skin& other, double reach) {
-  const Nearest found = nearest(sample, other);
-  return found.agrees && found.plane_distance < reach && found.distance < reach + other.spacing;
-}
 
 // Within a flat face, as a cut leaves one?
 bool in_flat_face(const Body& body, int node) {
@@ -85,15 +61,16 @@ double near_reached(const std::vector<int>& reached, const Body& data, double ne
   return count > 0 ? nodes / static_cast<double>(count) : 0;
 }
 
+// Between the rotations of a node and of a neighbour, in radians.
+double turning_between(const Cloth& cloth, int a, int b) {
+  return std::acos(std::clamp(((cloth.rotations[a].transpose() * cloth.rotations[b]).trace() - 1) / 2, -1.0, 1.0));
+}
+
 // A joint bends a few nodes much, a wrong map all of them a little.
 double mean_turning(const Cloth& cloth, const Body& model) {
   double sum = 0, count = 0;
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    for (int j : model.neighbours[i]) {
-      const double cosine = ((cloth.rotations[i].transpose() * cloth.rotations[j]).trace() - 1) / 2;
-      sum += std::acos(std::clamp(cosine, -1.0, 1.0));
-      ++count;
-    }
+  for (int i = 0; i < static_cast<int>(model.nodes.size()); ++i) {
+    for (const int j : model.neighbours[i]) sum += turning_between(cloth, i, j), ++count;
   }
   return count > 0 ? sum / count : 0;
 }
@@ -102,6 +79,12 @@ double mean_turning(const Cloth& cloth, const Body& model) {
 
 double extent_of(const Cloth& cloth, const Shape& model, const Shape& data) {
   return matched_extent(model.diagonal, cloth.scale, data.diagonal);
+}
+
+double turning_at(const Cloth& cloth, const Body& model, int node) {
+  double sum = 0;
+  for (const int neighbour : model.neighbours[node]) sum += turning_between(cloth, node, neighbour);
+  return sum / std::max(1.0, static_cast<double>(model.neighbours[node].size()));
 }
 
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {

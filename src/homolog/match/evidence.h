@@ -15,6 +15,9 @@ constexpr double reached_share = 0.02;
 /// The matched extent of the cloth's shapes (match.h).
 double extent_of(const Cloth& cloth, const Shape& model, const Shape& data);
 
+/// Mean angle, in radians, between the rotations of a node and of its neighbours.
+double turning_at(const Cloth& cloth, const Body& model, int node);
+
 /// All but Evidence::support, which needs the pairs (refine.cpp).
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 

@@ -111,6 +111,15 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
   return without_duplicates(std::move(refined), model, data);
 }
 
+// The followed points of the last match join the data's.
+void number_followed(Family& family, const Shape& data) {
+  for (Correspondence& c : family.matches.back().pairs) {
+    if (c.data >= 0) continue;
+    c.data = static_cast<int>(data.points.size() + family.followed.size());
+    family.followed.push_back(c.data_point);
+  }
+}
+
 }  // namespace
 
 std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most, const Shape& model) {
@@ -136,21 +145,21 @@ bool allowed(Chirality chirality, Mirror mirror) {
   return mirror == Mirror::allow || (mirror == Mirror::only) == (chirality == Chirality::mirrored);
 }
 
-std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
-                               bool without_identity) {
+Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity) {
   std::vector<Refined> refined = refine_all(sets, model, data, params);
   if (without_identity) {
     std::erase_if(refined, [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; });
   }
   std::vector<Refined> told = refined;
   std::erase_if(told, [&](const Refined& r) { return r.pairs.size() < least_pairs || !allowed(r.cloth.chirality, params.match.mirror); });
-  std::vector<Match> matches;
+  Family family;
   for (const Refined& r : believed(std::move(told), model, data)) {
-    if (static_cast<int>(matches.size()) == params.match.matches) break;
-    matches.push_back(match_of(r, model));
-    if (is_ambiguous(r, refined, model, data)) matches.back().handedness = Handedness::ambiguous;
+    if (static_cast<int>(family.matches.size()) == params.match.matches) break;
+    family.matches.push_back(match_of(r, model, data, params));
+    number_followed(family, data);
+    if (is_ambiguous(r, refined, model, data)) family.matches.back().handedness = Handedness::ambiguous;
   }
-  return matches;
+  return family;
 }
 
 }  // namespace homolog

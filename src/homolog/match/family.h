@@ -18,7 +18,6 @@ std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most
 bool allowed(Chirality chirality, Mirror mirror);
 
 /// `sets` refined and ranked. `without_identity`: leave out what maps a shape on itself as it is.
-std::vector<Match> make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
-                               bool without_identity);
+Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity);
 
 }  // namespace homolog

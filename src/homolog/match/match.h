@@ -14,7 +14,7 @@ namespace homolog {
 
 /// c = (x_i, x'_j): a pair of points held to be homologous.
 struct Correspondence {
-  int model = 0, data = 0;  ///< their places in Shape::points
+  int model = 0, data = 0;  ///< their places in Shape::points; data points beyond those are in Family::followed
   SalientPoint model_point, data_point;
   double descriptor_distance = 0;
   double confidence = 0;  ///< 0 to 1
@@ -64,6 +64,7 @@ struct StageCounts {
 struct Family {
   std::vector<Match> matches;
   StageCounts counts;
+  std::vector<SalientPoint> followed;  ///< places in the data to which matches follow a model point; they go on the data's own points
 };
 
 }  // namespace homolog

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "homolog/match/evidence.h"
+#include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
 #include "homolog/match/trusted_pairs.h"
 
@@ -81,12 +82,14 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
   weigh_again(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
-  refined.pairs = trusted_pairs(std::move(refined.pairs), refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
+  rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
 }
 
-Match match_of(const Refined& refined, const Shape& model) {
+Match match_of(const Refined& refined, const Shape& model, const Shape& data, const Params& params) {
   Match match;
-  match.pairs = refined.pairs;
+  const double extent = extent_of(refined.cloth, model, data);
+  match.pairs = told_pairs(refined.pairs, followed_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data));
+  describe_followed(match.pairs, model, data, params);
   match.data_from_model = spline_through(refined.cloth, model.body);
   match.similarity = match.data_from_model.similarity;
   match.handedness = refined.cloth.chirality == Chirality::proper ? Handedness::proper : Handedness::mirrored;

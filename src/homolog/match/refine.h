@@ -11,7 +11,7 @@ namespace homolog {
 
 /// A match on its way: its pairs so far, its cloth, and what the cloth tells.
 struct Refined {
-  CorrespondenceSet pairs;
+  CorrespondenceSet pairs;  ///< all that the cloth explains, rated in the end
   Cloth cloth;
   Evidence evidence;
   double confidence = 0;
@@ -29,7 +29,8 @@ void draw_set(Refined& refined, const Shape& model, const Shape& data, Descripto
 /// Rounds of pairs guided by the cloth and of drawing with them.
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
 
-/// The match with its warp; chamfer and the final handedness are left to the family.
-Match match_of(const Refined& refined, const Shape& model);
+/// The match with the pairs that are told and its warp; followed pairs have no number yet (data -1). Chamfer and the final handedness are
+/// left to the family.
+Match match_of(const Refined& refined, const Shape& model, const Shape& data, const Params& params);
 
 }  // namespace homolog

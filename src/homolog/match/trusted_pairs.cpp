@@ -8,7 +8,8 @@ namespace homolog {
 namespace {
 
 constexpr double least_confidence = 0.75;
-constexpr std::size_t least_kept = 5;
+constexpr std::size_t least_told = 7;
+constexpr double same_place = 0.5;  // r of a followed point
 
 // Share of the points that are more similar to their counterpart than the pair is, mean of both directions.
 double share_of_rivals(const Correspondence& pair, const Shape& model, const Shape& data, DescriptorKind kind) {
@@ -24,20 +25,33 @@ double share_of_rivals(const Correspondence& pair, const Shape& model, const Sha
 
 }  // namespace
 
-CorrespondenceSet trusted_pairs(CorrespondenceSet pairs, const Cloth& cloth, double merit, double extent, const Shape& model,
-                                const Shape& data, DescriptorKind kind) {
-  std::vector<double> confidences;
+void rate_pairs(CorrespondenceSet& pairs, const Cloth& cloth, double merit, double extent, const Shape& model, const Shape& data,
+                DescriptorKind kind) {
   for (Correspondence& c : pairs) {
     const double miss = (cloth.nodes[model.body.point_node(c.model)] - c.data_point.position).norm() / extent;
     const double rivals = share_of_rivals(c, model, data, kind);
     c.confidence = 1 / (1 + std::exp(3.45 - 2.2 * merit + 0.4 * std::log(0.01 + miss) + 0.5 * std::log(0.02 + rivals)));
-    confidences.push_back(c.confidence);
   }
-  if (pairs.size() <= least_kept) return pairs;
-  std::nth_element(confidences.begin(), confidences.begin() + least_kept - 1, confidences.end(), std::greater<>());
-  const double limit = std::min(least_confidence, confidences[least_kept - 1]);
-  std::erase_if(pairs, [&](const Correspondence& c) { return c.confidence < limit; });
-  return pairs;
+}
+
+CorrespondenceSet trusted_pairs(CorrespondenceSet rated) {
+  std::erase_if(rated, [](const Correspondence& c) { return c.confidence < least_confidence; });
+  return rated;
+}
+
+CorrespondenceSet told_pairs(CorrespondenceSet rated, const CorrespondenceSet& followed) {
+  rated.insert(rated.end(), followed.begin(), followed.end());
+  std::stable_sort(rated.begin(), rated.end(), [](const auto& a, const auto& b) { return a.confidence > b.confidence; });
+  CorrespondenceSet told;
+  for (const Correspondence& c : rated) {
+    if (c.confidence < least_confidence && told.size() >= least_told) break;
+    const bool taken = std::any_of(told.begin(), told.end(), [&](const Correspondence& other) {
+      return (other.data_point.position - c.data_point.position).norm() < same_place * c.data_point.radius;
+    });
+    if (c.data >= 0 || !taken) told.push_back(c);
+  }
+  std::sort(told.begin(), told.end(), [](const auto& a, const auto& b) { return a.model < b.model; });
+  return told;
 }
 
 }  // namespace homolog

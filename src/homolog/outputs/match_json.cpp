@@ -41,9 +41,10 @@ ordered_json to_json(const SalientPoint& point) {
   return {{"position", to_json(point.position)}, {"radius", point.radius}, {"direction", to_json(direction)}, {"response", point.response}};
 }
 
-ordered_json to_json(const Shape& shape) {
+ordered_json to_json(const Shape& shape, const std::vector<SalientPoint>& followed = {}) {
   ordered_json points = ordered_json::array();
   for (const SalientPoint& point : shape.points) points.push_back(to_json(point));
+  for (const SalientPoint& point : followed) points.push_back(to_json(point));
   return {{"file", shape.name}, {"diagonal", shape.diagonal}, {"points", std::move(points)}};
 }
 
@@ -88,7 +89,7 @@ ordered_json head(const char* format, const Params& params) {
 std::string match_json(const Shape& model, const Shape& data, const Family& family, const Params& params) {
   ordered_json json = head("homolog-match", params);
   json["model"] = to_json(model);
-  json["data"] = to_json(data);
+  json["data"] = to_json(data, family.followed);
   json["counts"] = to_json(family.counts);
   json["matches"] = ordered_json::array();
   for (const Match& match : family.matches) json["matches"].push_back(to_json(match));

@@ -14,9 +14,6 @@
 namespace homolog {
 namespace {
 
-// A voxel of coverage has already been averaged over a box, whose variance is 1/12 voxel^2.
-constexpr double kCoverageVariance = 1.0 / 12;
-
 // Mass of a unit 3D Gaussian within radius t.
 double mass_within(double t) { return std::erf(t / std::sqrt(2)) - std::sqrt(2 / M_PI) * t * std::exp(-t * t / 2); }
 
@@ -133,7 +130,7 @@ void for_each_octave(const Interior& interior, const SalientParams& params, int 
 
   GridFrame frame = frame_around(interior.frame, box, 1, margin);
   BlurredCoverage coverage(interior, {box.low[0] - margin, box.low[1] - margin, box.low[2] - margin}, frame,
-                           std::sqrt(std::max(sigma0 * sigma0 - kCoverageVariance, 0.25)));
+                           std::sqrt(std::max(sigma0 * sigma0 - coverage_variance, 0.25)));
   std::optional<RollingVolume> lowest;
   while (true) {
     for (int axis = 0; axis < 3; ++axis) box.low[axis] = margin, box.high[axis] = frame.size[axis] - 1 - margin;

@@ -13,6 +13,9 @@
 
 namespace homolog {
 
+/// A voxel of coverage has already been averaged over a box: its variance, in voxels squared.
+inline constexpr double coverage_variance = 1.0 / 12;
+
 /// One octave of S + 2 levels on one grid, L_norm as a share of a ball's: levels[i] = (G(k s_i) - G(s_i)) * chi / ln k / ball_response(k)
 /// at sigmas[i] = s_i sqrt(k), in world units. Minima of L_norm are maxima here. Levels 1 to S belong to this octave; level 0 repeats
 /// the octave below and level S + 1 begins the one above. It is never there as a whole: see for_each_octave.

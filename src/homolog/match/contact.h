@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Whether a place on one skin comes to lie on another.
+#pragma once
+
+#include <vector>
+
+#include "homolog/describe/sample_blocks.h"
+#include "homolog/describe/surface_samples.h"
+
+namespace homolog {
+
+/// Views of samples, the blocks they lie in, and the typical distance of neighbours.
+struct Skin {
+  const std::vector<SurfaceSample>& samples;
+  const SampleBlocks& blocks;
+  double spacing;
+};
+
+/// Whether the nearest sample of the skin is not farther than `reach` along its normal, and the normals are within 60 degrees.
+bool reaches(const SurfaceSample& sample, const Skin& skin, double reach);
+
+}  // namespace homolog
