@@ -11,6 +11,7 @@ import signal
 import subprocess
 import unittest
 
+import mesh_files
 from program import COARSE, EXAMPLES, PROGRAM, VERSION, Program, main
 
 VERBS = ("match", "symmetry", "points", "transfer", "params")
@@ -262,6 +263,10 @@ class Examples(Program):
         with open(self.path("painted.obj"), "w") as file:
             file.write("vt 0.5 0.5\n" + "".join(f"v {line}\n" for line in lines[2 : 2 + vertices]))
             file.write("".join("f " + " ".join(f"{int(c) + 1}/1" for c in line.split()[1:]) + "\n" for line in lines[2 + vertices :]))
+        corners = [[int(c) for c in line.split()[1:4]] for line in lines[2 + vertices :]]
+        places = [[float(x) for x in line.split()] for line in lines[2 : 2 + vertices]]
+        with open(self.path("rigged.glb"), "wb") as file:
+            file.write(mesh_files.rigged_glb(places, corners, neck=0.9, animated=False))
         with open(self.path("collection.tps"), "w") as file:
             file.write("LM3=1\n0 0 0\nID=other\nLM3=1\n0 1.3 0.98\nID=bear\n")
         lines = [line.strip() for words in ((), *((verb,) for verb in VERBS)) for line in self.run_it(*words, "--help").stdout.splitlines()]

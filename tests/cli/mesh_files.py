@@ -94,8 +94,8 @@ def glb_of(scene, data):
     return struct.pack("<4sII", b"glTF", 2, 12 + len(chunks)) + chunks
 
 
-def rigged_glb(v, f, neck):
-    """With joints at the origin and at y = neck, a shape key that lifts what is above by up to .5, and an animation of nothing."""
+def rigged_glb(v, f, neck, animated=True):
+    """With joints at the origin and at y = neck, a shape key that lifts what is above by up to .5, and perhaps an animation of nothing."""
     scene, data = gltf_parts(v, f)
 
     def table(rows, form, **more):
@@ -121,12 +121,12 @@ def rigged_glb(v, f, neck):
     scene["meshes"][0]["extras"] = {"targetNames": ["grow"]}
     identity = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0]
     matrices = table([(*identity, 0, 0, 0, 1), (*identity, 0, -neck, 0, 1)], "16f")
-    times = table([(0,), (1,)], "f", min=[0], max=[1])
     scene["nodes"] = [{"mesh": 0, "skin": 0}, {"name": "body", "children": [2]}, {"name": "head", "translation": [0, neck, 0]}]
     scene["scenes"] = [{"nodes": [0, 1]}]
     scene["skins"] = [{"joints": [1, 2], "inverseBindMatrices": matrices}]
-    sampler = {"input": times, "output": table([(0, 0, 0), (0, 0, 0)], "3f")}
-    scene["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}]}]
+    if animated:
+        sampler = {"input": table([(0,), (1,)], "f", min=[0], max=[1]), "output": table([(0, 0, 0), (0, 0, 0)], "3f")}
+        scene["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}]}]
     scene["buffers"][0]["byteLength"] = len(data)
     return glb_of(scene, data)
 

@@ -48,6 +48,27 @@ TEST(Refine, TheMatchTellsItsClothAsASpline) {
   for (const Correspondence& c : match.pairs) EXPECT_GT(c.confidence, 0.9);
 }
 
+// The spline's own similarity leaves least bending, but bending makes it smaller.
+TEST(Refine, TheSimilarityOfAMatchIsTheNearestToItsMap) {
+  const Shape& hand = described_hand();
+  Refined refined = lay_set(start({}), hand);
+  for (Vec3& node : refined.cloth.nodes) {
+    if (node.z() > 0) node.y() += 2 * node.z() * node.z() / hand.diagonal;  // bent
+  }
+  const Match match = match_of(refined, hand, hand, coarse());
+  const auto missed = [&](const homolog::Similarity& s) {
+    double sum = 0;
+    for (std::size_t i = 0; i < hand.body.surface_count; ++i) sum += (s(hand.body.nodes[i]) - refined.cloth.nodes[i]).squaredNorm();
+    return sum;
+  };
+  EXPECT_LT(missed(match.similarity), missed(match.data_from_model.similarity));
+  homolog::Similarity nearby = match.similarity;
+  for (const double factor : {0.99, 1.01}) {
+    nearby.scale = factor * match.similarity.scale;
+    EXPECT_LT(missed(match.similarity), missed(nearby));
+  }
+}
+
 TEST(Refine, ExtentIsTheSmallerOfMappedModelAndData) {
   Cloth cloth;
   cloth.scale = 0.5;

@@ -8,6 +8,7 @@
 
 #include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
+#include "homolog/match/best_similarity.h"
 
 namespace homolog {
 namespace {
@@ -69,16 +70,10 @@ double nearest_partners(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& fr
   return sum / static_cast<double>(from.cols());
 }
 
-// The similarity that lays `from` best on `to` (Umeyama 1991).
-Similarity best_similarity(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to, Chirality chirality) {
-  const Vec3 a = from.rowwise().mean(), b = to.rowwise().mean();
-  const Eigen::Matrix3Xd x = from.colwise() - a, y = to.colwise() - b;
-  const Turn turn = nearest_turn(y * x.transpose(), chirality);
-  Similarity s;
-  s.rotation = turn.rotation;
-  s.scale = std::max(turn.trace / x.squaredNorm(), 1e-6);
-  s.shift = b - s.scale * (s.rotation * a);
-  return s;
+std::vector<WeighedPair> evenly(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
+  std::vector<WeighedPair> pairs;
+  for (Eigen::Index i = 0; i < from.cols(); ++i) pairs.push_back({from.col(i), to.col(i), 1});
+  return pairs;
 }
 
 // Closest points both ways and the best similarity, in turn.
@@ -97,7 +92,7 @@ Settled settle(const Similarity& start, const Skin& model, const Skin& data, dou
     Eigen::Matrix3Xd from(3, n + m), to(3, n + m);
     for (Eigen::Index i = 0; i < n; ++i) from.col(i) = model.places.col(i), to.col(i) = data.places.col(of_model[i]);
     for (Eigen::Index k = 0; k < m; ++k) from.col(n + k) = model.places.col(of_data[k]), to.col(n + k) = data.places.col(k);
-    settled.similarity = best_similarity(from, to, chirality);
+    settled.similarity = best_similarity(evenly(from, to), chirality);
   }
   return settled;
 }

@@ -4,19 +4,10 @@
 
 #include <vector>
 
+#include "homolog/match/best_similarity.h"
 #include "homolog/match/dense.h"
 
 namespace homolog {
-
-/// Where something is and where it goes, and how much that counts.
-struct WeighedPair {
-  Vec3 from, to;
-  double weight;
-};
-
-/// The similarity that minimises sum w |s(from) - to|^2 (Umeyama 1991). Pairs that all come from one place, or of which none counts, are
-/// moved without turn and scale.
-Similarity best_similarity(const std::vector<WeighedPair>& pairs, Chirality chirality);
 
 /// What moves the giver's places to the receiver's vertices about each of these: the best similarity of the vertices around it along the
 /// edges, at least twelve and those nearer than `radius`, of weight area / (distance^2 + radius^2)^2. Only for `wanted` vertices, and only

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "homolog/match/best_similarity.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
@@ -41,6 +42,14 @@ std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<Su
 ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
   const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
   return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
+}
+
+// The similarity nearest to the map, over the skin. The spline's own is what is left when its bending is least: of another size if it
+// bends.
+Similarity similarity_of(const Cloth& cloth, const Body& body) {
+  std::vector<WeighedPair> pairs;
+  for (std::size_t i = 0; i < body.surface_count; ++i) pairs.push_back({body.nodes[i], cloth.nodes[i], 1});
+  return best_similarity(pairs, cloth.chirality);
 }
 
 // Delta of the spline through the pairs alone, free of unit: what the paper calls bending (eq. 8).
@@ -91,7 +100,7 @@ Match match_of(const Refined& refined, const Shape& model, const Shape& data, co
   match.pairs = told_pairs(refined.pairs, followed_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data));
   describe_followed(match.pairs, model, data, params);
   match.data_from_model = spline_through(refined.cloth, model.body);
-  match.similarity = match.data_from_model.similarity;
+  match.similarity = similarity_of(refined.cloth, model.body);
   match.handedness = refined.cloth.chirality == Chirality::proper ? Handedness::proper : Handedness::mirrored;
   match.bending = bending_of(match.pairs, refined.cloth.chirality, model.diagonal);
   match.evidence = refined.evidence;
