@@ -148,6 +148,15 @@ TEST(Family, FollowedPointsGoOnWithTheNumbersOfTheData) {
   EXPECT_EQ(next - bare.points.size(), family.followed.size());
 }
 
+TEST(Family, DataWithTwoPointsIsMatchedByFollowedOnes) {
+  Shape bare = beast();  // a plane has as few
+  bare.points.resize(2);
+  bare.descriptors.resize(2);
+  const Family family = make_family({start({})}, beast(), bare, coarse(), false);
+  ASSERT_EQ(family.matches.size(), 1u);
+  EXPECT_GE(family.matches[0].pairs.size(), 4u);
+}
+
 TEST(Family, NoSetsNoFamily) { EXPECT_TRUE(make_family({}, beast(), beast(), coarse(), false).matches.empty()); }
 
 TEST(Handedness, HasAWordForEach) {

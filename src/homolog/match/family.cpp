@@ -12,8 +12,8 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t least_pairs = 4;  // three are unlikely to define good matchings (Sec. 6.2)
-constexpr std::size_t least_grown = 3;  // but guiding may find them their fourth
+constexpr std::size_t least_pairs = 4;  // told ones; three are unlikely to define good matchings (Sec. 6.2)
+constexpr std::size_t least_grown = 3;  // but guiding and following may find them more
 constexpr double same_map = 0.05;       // mean distance of two maps, in extents of the mapped model, below which they are one
 constexpr double same_start = 0.04;     // the same for grown sets, at the salient points
 constexpr double rivalry = 12;          // log of odds per merit between matches that claim the same part of the data (merit_of's fit)
@@ -151,11 +151,13 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
     std::erase_if(refined, [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; });
   }
   std::vector<Refined> told = refined;
-  std::erase_if(told, [&](const Refined& r) { return r.pairs.size() < least_pairs || !allowed(r.cloth.chirality, params.match.mirror); });
+  std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
   Family family;
   for (const Refined& r : believed(std::move(told), model, data)) {
     if (static_cast<int>(family.matches.size()) == params.match.matches) break;
-    family.matches.push_back(match_of(r, model, data, params));
+    Match match = match_of(r, model, data, params);
+    if (match.pairs.size() < least_pairs) continue;
+    family.matches.push_back(std::move(match));
     number_followed(family, data);
     if (is_ambiguous(r, refined, model, data)) family.matches.back().handedness = Handedness::ambiguous;
   }
