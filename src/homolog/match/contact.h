@@ -16,7 +16,10 @@ struct Skin {
   double spacing;
 };
 
-/// Whether the nearest sample of the skin is not farther than `reach` along its normal, and the normals are within 60 degrees.
+/// Whether the sample found nearest of the skin is not farther than `reach` along its normal, and the normals are within 60 degrees.
+bool reaches(const SurfaceSample& sample, const NearestSample& found, const Skin& skin, double reach);
+
+/// The same, which finds it.
 bool reaches(const SurfaceSample& sample, const Skin& skin, double reach);
 
 }  // namespace homolog

@@ -40,8 +40,8 @@ Surroundings surroundings(const std::vector<int>& skin, const std::vector<Surfac
                           const Shape& model, const Shape& data) {
   double reached = 0, factors = 0, compared = 0;
   for (const int node : skin) {
-    reached += reaches(laid[node], {data.surface, data.surface_blocks, data.surface_spacing}, reached_share * extent);
     const NearestSample there = nearest_sample(data.surface_blocks, laid[node].position);
+    reached += reaches(laid[node], there, {data.surface, data.surface_blocks, data.surface_spacing}, reached_share * extent);
     if (there.sample < 0 || laid[node].normal.dot(data.surface[there.sample].normal) < same_side) continue;
     factors += std::log(data.thickness[there.sample] / (model.thickness[node] * cloth.scales[node]));
     ++compared;

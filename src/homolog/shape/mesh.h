@@ -24,4 +24,7 @@ struct Box {
 /// The smallest box around all vertices that a triangle uses. Throws ShapeError for a mesh without triangles.
 Box bounding_box(const Mesh& mesh);
 
+/// From a place to the nearest of the box; 0 inside.
+inline double square_distance(const Box& box, const Vec3& x) { return (x - x.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm(); }
+
 }  // namespace homolog

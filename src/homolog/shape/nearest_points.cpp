@@ -11,8 +11,6 @@ namespace {
 
 constexpr std::uint32_t leaf_size = 8;
 
-double square_distance(const Box& box, const Vec3& x) { return (x - x.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm(); }
-
 }  // namespace
 
 NearestPoints::NearestPoints(std::vector<Vec3> points) : points_(std::move(points)) {

@@ -21,8 +21,6 @@ double nearest_on_edge(const Vec3& a, const Vec3& b, const Vec3& x) {
   return square > 0 ? std::clamp((x - a).dot(b - a) / square, 0.0, 1.0) : 0;
 }
 
-double square_distance(const Box& box, const Vec3& x) { return (x - x.cwiseMax(box.min).cwiseMin(box.max)).squaredNorm(); }
-
 }  // namespace
 
 Vec3 nearest_on_triangle(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& x) {

@@ -37,23 +37,29 @@ double decode(PlyType type, const char* bytes, std::endian order) {
 
 }  // namespace
 
+PlySource open_ply(std::string_view content, const std::string& file) {
+  PlySource source{{file, content}, {}, {}, {}};
+  source.header = read_ply_header(source.text);
+  return source;
+}
+
 void fail_at(const PlySource& source, const std::string& what) {
-  if (source.encoding == PlyEncoding::ascii) fail(source.text, what);
+  if (source.header.encoding == PlyEncoding::ascii) fail(source.text, what);
   throw FileError(fmt::format("{}, {}: {}", source.text.file, source.place, what));
 }
 
 double read_ply_value(PlySource& source, PlyType type) {
-  if (source.encoding == PlyEncoding::ascii) return take_number(source.text, source.line, "a property");
+  if (source.header.encoding == PlyEncoding::ascii) return take_number(source.text, source.line, "a property");
   const std::size_t size = bytes_of(type);
   if (source.text.rest.size() < size) fail_at(source, "the file ends here; it is truncated");
   const double value =
-      decode(type, source.text.rest.data(), source.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big);
+      decode(type, source.text.rest.data(), source.header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big);
   source.text.rest.remove_prefix(size);
   return value;
 }
 
 double read_loose_value(PlySource& source, PlyType type) {
-  if (source.encoding != PlyEncoding::ascii) return read_ply_value(source, type);
+  if (source.header.encoding != PlyEncoding::ascii) return read_ply_value(source, type);
   const std::string_view word = take_word(source.line);
   if (word.empty()) fail(source.text, "a property is missing; the file is truncated or damaged");
   double value = 0;
@@ -63,7 +69,7 @@ double read_loose_value(PlySource& source, PlyType type) {
 
 std::size_t read_length(PlySource& source, const PlyProperty& property) {
   const double length = read_ply_value(source, property.count_type);
-  const bool ascii = source.encoding == PlyEncoding::ascii;
+  const bool ascii = source.header.encoding == PlyEncoding::ascii;
   const std::size_t most = ascii ? source.line.size() / 2 : source.text.rest.size() / bytes_of(property.type);
   if (!(length >= 0 && length <= static_cast<double>(most)) || length != std::floor(length)) {
     fail_at(source, fmt::format("a list of {} items does not fit into the file; it is truncated or damaged", length));
@@ -72,7 +78,7 @@ std::size_t read_length(PlySource& source, const PlyProperty& property) {
 }
 
 void begin_element(PlySource& source, const PlyElement& element, std::size_t number) {
-  if (source.encoding == PlyEncoding::ascii) {
+  if (source.header.encoding == PlyEncoding::ascii) {
     if (!next_data_line(source.text, source.line)) {
       fail(source.text,
            fmt::format("the file ends after {} of {} times element {}; it is truncated", number, element.count, shown(element.name)));
@@ -85,7 +91,7 @@ void begin_element(PlySource& source, const PlyElement& element, std::size_t num
 void skip_property(PlySource& source, const PlyProperty& property) {
   const std::size_t length = property.count_type == PlyType::none ? 1 : read_length(source, property);
   for (std::size_t i = 0; i < length; ++i) {
-    if (source.encoding != PlyEncoding::ascii) {
+    if (source.header.encoding != PlyEncoding::ascii) {
       read_ply_value(source, property.type);
     } else if (take_word(source.line).empty()) {
       fail(source.text, "a property is missing; the file is truncated or damaged");

@@ -12,10 +12,13 @@ namespace homolog {
 /// Where the reader is: in ascii, `line` is what is left of the present element's line.
 struct PlySource {
   Text text;
-  PlyEncoding encoding;
+  PlyHeader header;
   std::string_view line;
   std::string place;  ///< of the present element, for messages of the binary encodings, which have no lines
 };
+
+/// At the first element, with the header read. Throws FileError as read_ply_header does.
+PlySource open_ply(std::string_view content, const std::string& file);
 
 /// Throws FileError, naming the line or the element.
 [[noreturn]] void fail_at(const PlySource& source, const std::string& what);

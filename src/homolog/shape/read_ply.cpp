@@ -60,11 +60,9 @@ void read_faces(PlySource& source, const PlyElement& element, Mesh& mesh) {
 }  // namespace
 
 Mesh read_ply(std::string_view content, const std::string& file) {
-  PlySource source{{file, content}, PlyEncoding::ascii, {}, {}};
-  const PlyHeader header = read_ply_header(source.text);
-  source.encoding = header.encoding;
+  PlySource source = open_ply(content, file);
   Mesh mesh;
-  for (const PlyElement& element : header.elements) {
+  for (const PlyElement& element : source.header.elements) {
     if (element.name == "vertex") {
       if (!mesh.vertices.empty()) fail(source.text, "element vertex is announced twice");
       read_vertices(source, element, mesh);

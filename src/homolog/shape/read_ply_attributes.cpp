@@ -90,10 +90,8 @@ bool is_geometry(const Column& column) {
 AttributedMesh read_ply_attributes(std::string_view content, const std::string& file) {
   AttributedMesh mesh;
   mesh.mesh = read_ply(content, file);
-  PlySource source{{file, content}, PlyEncoding::ascii, {}, {}};
-  const PlyHeader header = read_ply_header(source.text);
-  source.encoding = header.encoding;
-  for (const PlyElement& element : header.elements) {
+  PlySource source = open_ply(content, file);
+  for (const PlyElement& element : source.header.elements) {
     if (element.name != "vertex") {
       skip_elements(source, element);
       continue;

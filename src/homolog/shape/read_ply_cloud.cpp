@@ -54,18 +54,15 @@ void read_points(PlySource& source, const PlyElement& element, PointCloud& cloud
 }  // namespace
 
 bool is_ply_cloud(std::string_view content, const std::string& file) {
-  Text text{file, content};
-  const PlyHeader header = read_ply_header(text);
+  const PlyHeader header = open_ply(content, file).header;
   return std::none_of(header.elements.begin(), header.elements.end(),
                       [](const PlyElement& element) { return element.name == "face" && element.count > 0; });
 }
 
 PointCloud read_ply_cloud(std::string_view content, const std::string& file) {
-  PlySource source{{file, content}, PlyEncoding::ascii, {}, {}};
-  const PlyHeader header = read_ply_header(source.text);
-  source.encoding = header.encoding;
+  PlySource source = open_ply(content, file);
   PointCloud cloud;
-  for (const PlyElement& element : header.elements) {
+  for (const PlyElement& element : source.header.elements) {
     if (element.name == "vertex") {
       read_points(source, element, cloud);
       break;
