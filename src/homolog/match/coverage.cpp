@@ -25,10 +25,10 @@ struct Side {
   GridFrame frame;  ///< of the voxels, half a voxel around what was described
 };
 
-/// One side of one match in the data's coordinates; the surface, and where each of its vertices is at home.
+/// One side of one match in the data's coordinates.
 struct LaidSide {
   Places vertices, samples;
-  NearestSurface surface;
+  NearestSurface surface;  ///< through the vertices
 };
 
 Side make_side(const MeshedShape& meshed) {
@@ -53,7 +53,13 @@ Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
   return result;
 }
 
-NearestSurface surface_of(const Places& vertices, const Mesh& mesh) { return {{vertices.positions, mesh.triangles}, vertices.normals}; }
+LaidSide at_home(const Side& side, const Mesh& mesh) { return {side.vertices, side.samples, {mesh, side.vertices.normals}}; }
+
+void lay(LaidSide& laid_side, const Side& side, const ThinPlateSpline& data_from_model) {
+  laid_side.vertices = laid(side.vertices, data_from_model);
+  laid_side.samples = laid(side.samples, data_from_model);
+  laid_side.surface.move(laid_side.vertices.positions, laid_side.vertices.normals);
+}
 
 /// What a match measures its distances by, in the data's unit.
 struct Tolerance {
@@ -97,15 +103,14 @@ double fade(double value, double full, double none) {
 std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches) {
   if (matches.empty()) return {};
   const Side model_side = make_side(model), data_side = make_side(data);
-  const LaidSide laid_data{data_side.vertices, data_side.samples, surface_of(data_side.vertices, data.mesh)};
+  const LaidSide laid_data = at_home(data_side, data.mesh);
+  LaidSide laid_model = at_home(model_side, model.mesh);
   std::vector<MatchParts> parts;
   for (const Match& match : matches) {
     const double scale = match.similarity.scale;
     const Tolerance tolerance{reached_share * matched_extent(model.shape.diagonal, scale, data.shape.diagonal),
                               std::max(data_side.frame.spacing, scale * model_side.frame.spacing)};
-    Places vertices = laid(model_side.vertices, match.data_from_model);
-    NearestSurface surface = surface_of(vertices, model.mesh);
-    const LaidSide laid_model{std::move(vertices), laid(model_side.samples, match.data_from_model), std::move(surface)};
+    lay(laid_model, model_side, match.data_from_model);
     parts.push_back({weigh_both(laid_model, model_side, laid_data, data_side, tolerance),
                      weigh_both(laid_data, data_side, laid_model, model_side, tolerance)});
   }

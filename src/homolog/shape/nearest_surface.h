@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "homolog/shape/eight_triangles.h"
 #include "homolog/shape/mesh.h"
 
 namespace homolog {
@@ -32,22 +33,38 @@ class NearestSurface {
   /// `likely`, a triangle, is looked at first: the answer of a neighbour spares most of the search.
   std::optional<SurfacePlace> nearest(const Vec3& x, const Vec3& normal, double reach, std::uint32_t likely = 0) const;
 
+  /// Moves its vertices elsewhere; the triangles stay.
+  void move(std::vector<Vec3> vertices, std::vector<Vec3> normals);
+
   const Mesh& mesh() const { return mesh_; }
   /// Between the values at the corners of a place.
   Vec3 between(const SurfacePlace& place, const std::vector<Vec3>& of_vertices) const;
 
  private:
+  /// Triangles side by side; the last one is repeated where there are fewer.
+  struct Leaf {
+    EightTriangles places;
+    std::array<std::uint32_t, triangles_at_once> triangles;
+  };
   struct Node {
+    bool is_leaf;
+    std::uint32_t first;  ///< its number in leaves_; or of the second child, the first being the next node
     Box box;
-    std::uint32_t first, count;  ///< of order_, for a leaf; count 0: the children are the next node and node `first`
+    Vec3 axis;          ///< of the cone of all normals within,
+    double half_angle;  ///< and how wide it is: pi if they point anywhere
+    double agreement;   ///< cosine between the axis and another normal below which nothing within agrees with that
   };
 
-  std::uint32_t build(std::uint32_t first, std::uint32_t end, const std::vector<Vec3>& centres);
-  void look(std::uint32_t triangle, const Vec3& x, const Vec3& normal, SurfacePlace& best) const;
+  std::uint32_t build(std::vector<std::uint32_t>& order, std::uint32_t first, std::uint32_t end, const std::vector<Vec3>& centres);
+  void bound_leaf(Node& node);
+  void bound_children(Node& node, const Node& one, const Node& other) const;
+  bool agrees(const SurfacePlace& place, const Vec3& normal) const;
+  void look(const Leaf& leaf, const Vec3& x, const Vec3& normal, SurfacePlace& best) const;
 
   Mesh mesh_;
   std::vector<Vec3> normals_;
-  std::vector<std::uint32_t> order_;  ///< triangles, leaf by leaf
+  std::vector<Leaf> leaves_;
+  std::vector<std::uint32_t> leaf_of_;  ///< of every triangle
   std::vector<Node> nodes_;
 };
 
