@@ -3,194 +3,178 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "homolog/base/parallel.h"
-#include "homolog/shape/ray_crossing.h"
+#include "homolog/base/widest_clone.h"
+#include "homolog/shape/row_cuts.h"
 
 namespace homolog {
 namespace {
 
-/// The rays' places along one direction across them: the middles of the voxels' shares that lie in the part, and how wide these are.
-struct Places {
-  std::vector<double> middle, width;  // width 1 when wholly in the part, 0 when outside
-};
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr double depth_steps = 65536;  // a voxel; as many as a whole ray weighs
+constexpr std::size_t row_block = 16;  // rows are as long as vectors that fit
 
-struct Crossing {
-  int column;
-  int sign;
-  double depth;
-};
+static_assert(rays_per_voxel == 4, "cut_rows() cuts the rows of a layer");
 
-/// The triangles that may cross each row of rays: those of row r are numbers[begin[r]] to numbers[begin[r + 1]].
-struct RowBins {
-  std::vector<std::uint32_t> begin, numbers;
-};
-
-/// What the rays of one row of voxels work on. Coverage is summed as differences along the ray in whole numbers, so that it returns to
-/// exactly 0 behind the solid.
-struct Row {
-  const GridSurface& surface;
-  const RayAxes& axes;
-  const Places& columns;
-  std::vector<Crossing> found, sorted;
-  std::vector<std::uint32_t> column_begin;
-  std::vector<std::int32_t> differences;
-  std::size_t column_stride, depth_stride;
-  std::vector<float> lost, sent;  // weights of the rays that do not close, and of all
-};
-
-Places place_rays(int voxels, double part_min, double part_max) {
-  Places places;
+RayPlaces place_rays(int voxels, double part_min, double part_max) {
+  RayPlaces places;
   for (int i = 0; i < voxels * rays_per_voxel; ++i) {
-    const double low = std::max(part_min, static_cast<double>(i) / rays_per_voxel);
-    const double high = std::min(part_max, static_cast<double>(i + 1) / rays_per_voxel);
-    places.middle.push_back((low + high) / 2);
+    const double cell_min = static_cast<double>(i) / rays_per_voxel, cell_max = static_cast<double>(i + 1) / rays_per_voxel;
+    const double low = std::max(part_min, cell_min), high = std::min(part_max, cell_max);
+    places.middle.push_back(low < high ? (low + high) / 2 : (cell_min + cell_max) / 2);
     places.width.push_back(std::max(0.0, (high - low) * rays_per_voxel));
   }
+  places.middle.push_back(std::numeric_limits<double>::infinity());
   return places;
 }
 
-RowBins bin_rows(const GridSurface& surface, int row_axis) {
-  const int rows = surface.size[row_axis] * rays_per_voxel;
-  const auto range = [&](const std::array<std::uint32_t, 3>& t, int& first, int& last) {
-    const double a = surface.vertices[t[0]][row_axis], b = surface.vertices[t[1]][row_axis], c = surface.vertices[t[2]][row_axis];
-    const double low = std::min({a, b, c}) * rays_per_voxel, high = std::max({a, b, c}) * rays_per_voxel;
-    first = static_cast<int>(std::clamp(std::floor(low), 0.0, static_cast<double>(rows)));
-    last = static_cast<int>(std::clamp(std::floor(high), -1.0, rows - 1.0));
+/// 0 for what is not a number, too.
+double limited(double x, double most) { return x > 0 ? std::min(x, most) : 0; }
+
+/// Numbers of the rays in whose cells these columns lie; `rays` for what lies beyond the last one.
+[[gnu::always_inline]] inline FourInts cells_of(const FourDoubles& columns, std::size_t rays) {
+  const FourDoubles cells = rays_per_voxel * columns, none_before = cells > 0 ? cells : FourDoubles{},
+                    last = FourDoubles{} + static_cast<double>(rays);
+  return __builtin_convertvector(none_before < last ? none_before : last, FourInts);
+}
+
+void sort_into_layers(const GridSurface& surface, RayBundle& bundle) {
+  const int axis = bundle.axes.row, layers = surface.size[axis];
+  const auto range = [&](const std::array<std::uint32_t, 3>& t) {
+    const auto [low, high] = std::minmax({surface.vertices[t[0]][axis], surface.vertices[t[1]][axis], surface.vertices[t[2]][axis]});
+    return std::pair{static_cast<int>(limited(low, layers)), high < 0 ? -1 : static_cast<int>(limited(high, layers - 1))};
   };
-  RowBins bins;
-  bins.begin.assign(rows + 1, 0);
-  int first, last;
+  bundle.begin.assign(layers + 2, 0);
   for (const auto& t : surface.triangles) {
-    range(t, first, last);
-    for (int row = first; row <= last; ++row) ++bins.begin[row + 1];
+    const auto [first, last] = range(t);
+    for (int layer = first; layer <= last; ++layer) ++bundle.begin[layer + 2];
   }
-  for (int row = 0; row < rows; ++row) bins.begin[row + 1] += bins.begin[row];
-  bins.numbers.resize(bins.begin[rows]);
-  std::vector<std::uint32_t> next(bins.begin.begin(), bins.begin.end() - 1);
+  for (int layer = 1; layer < layers; ++layer) bundle.begin[layer + 2] += bundle.begin[layer + 1];
+  bundle.numbers.resize(bundle.begin[layers + 1]);
   for (std::uint32_t number = 0; number < surface.triangles.size(); ++number) {
-    range(surface.triangles[number], first, last);
-    for (int row = first; row <= last; ++row) bins.numbers[next[row]++] = number;
+    const auto [first, last] = range(surface.triangles[number]);
+    for (int layer = first; layer <= last; ++layer) bundle.numbers[bundle.begin[layer + 1]++] = number;
   }
-  return bins;
 }
 
-/// The first ray whose place is at or beyond `column`.
-int first_ray_from(const Places& places, double column) {
-  const int count = static_cast<int>(places.middle.size());
-  int ray = static_cast<int>(std::clamp(std::floor(column * rays_per_voxel), 0.0, static_cast<double>(count)));
-  while (ray > 0 && places.middle[ray - 1] >= column) --ray;
-  while (ray < count && places.middle[ray] < column) ++ray;
-  return ray;
+std::int32_t weight_of_ray(const RayBundle& bundle, std::size_t row, std::size_t column) {
+  return static_cast<std::int32_t>(depth_steps * bundle.rows.width[row] * bundle.columns.width[column] + 0.5);
 }
 
-void find_crossings(Row& row, const std::uint32_t* first, const std::uint32_t* last, double place) {
-  row.found.clear();
-  const auto& vertices = row.surface.vertices;
-  for (const std::uint32_t* number = first; number != last; ++number) {
-    const auto& [a, b, c] = row.surface.triangles[*number];
-    RowCut cut;
-    if (!cut_row(vertices[a], vertices[b], vertices[c], row.axes, place, cut)) continue;
-    const int end = static_cast<int>(row.columns.middle.size());
-    for (int ray = first_ray_from(row.columns, cut.from); ray < end && row.columns.middle[ray] < cut.to; ++ray) {
-      row.found.push_back({ray, cut.sign, cut.depth_at(row.columns.middle[ray])});
+/// Of all rays through a column of voxels.
+float weight_of_column(const RayBundle& bundle, std::size_t layer, std::size_t column) {
+  std::int32_t sum = 0;
+  for (std::size_t r = 0; r < rays_per_voxel; ++r) {
+    for (std::size_t c = 0; c < rays_per_voxel; ++c) {
+      sum += weight_of_ray(bundle, layer * rays_per_voxel + r, column * rays_per_voxel + c);
     }
   }
-}
-
-/// By ray, then by depth; the order of equal depths is of no effect, as nothing lies between them.
-void sort_crossings(Row& row) {
-  const std::size_t rays = row.columns.middle.size();
-  row.column_begin.assign(rays + 1, 0);
-  for (const Crossing& crossing : row.found) ++row.column_begin[crossing.column + 1];
-  for (std::size_t ray = 0; ray < rays; ++ray) row.column_begin[ray + 1] += row.column_begin[ray];
-  row.sorted.resize(row.found.size());
-  for (const Crossing& crossing : row.found) row.sorted[row.column_begin[crossing.column]++] = crossing;
-  for (std::size_t ray = rays; ray > 0; --ray) row.column_begin[ray] = row.column_begin[ray - 1];
-  row.column_begin[0] = 0;
-  for (std::size_t ray = 0; ray < rays; ++ray) {
-    std::sort(row.sorted.begin() + row.column_begin[ray], row.sorted.begin() + row.column_begin[ray + 1],
-              [](const Crossing& a, const Crossing& b) { return a.depth < b.depth; });
-  }
-}
-
-/// Adds `weight` to everything beyond a depth.
-void add_from(Row& row, std::int32_t* line, double depth, std::int32_t weight) {
-  const double clipped = std::clamp(depth, row.surface.part.min[row.axes.depth], row.surface.part.max[row.axes.depth]);
-  const auto voxel = static_cast<std::size_t>(clipped);
-  const auto next = static_cast<std::int32_t>(std::lround(weight * (clipped - static_cast<double>(voxel))));
-  line[voxel * row.depth_stride] += weight - next;
-  line[(voxel + 1) * row.depth_stride] += next;
-}
-
-void add_ray(Row& row, std::size_t ray, std::int32_t weight) {
-  const Crossing* first = row.sorted.data() + row.column_begin[ray];
-  const Crossing* last = row.sorted.data() + row.column_begin[ray + 1];
-  const std::size_t column = ray / rays_per_voxel;
-  row.sent[column] += static_cast<float>(weight);
-  int winding = 0;
-  for (const Crossing* crossing = first; crossing != last; ++crossing) winding += crossing->sign;
-  if (winding != 0) {
-    row.lost[column] += static_cast<float>(weight);
-    return;
-  }
-  std::int32_t* line = row.differences.data() + column * row.column_stride;
-  bool inside = false;
-  for (const Crossing* crossing = first; crossing != last; ++crossing) {
-    winding += crossing->sign;
-    const bool now = winding != 0;
-    if (now != inside) add_from(row, line, crossing->depth, now ? weight : -weight);
-    inside = now;
-  }
-}
-
-/// Sums the differences along the rays and adds them to the voxels.
-void store(const Row& row, std::size_t number, AxisCoverage& coverage) {
-  const auto& size = row.surface.size;
-  const std::size_t strides[3] = {1, static_cast<std::size_t>(size[0]), static_cast<std::size_t>(size[0]) * size[1]};
-  const std::size_t columns = size[row.axes.column];
-  float* target = coverage.sums.data() + number * strides[row.axes.row];
-  std::vector<std::int32_t> sum(columns, 0);
-  for (std::size_t depth = 0; depth < static_cast<std::size_t>(size[row.axes.depth]); ++depth) {
-    const std::int32_t* line = row.differences.data() + depth * row.depth_stride;
-    float* voxels = target + depth * strides[row.axes.depth];
-    for (std::size_t column = 0; column < columns; ++column) {
-      sum[column] += line[column * row.column_stride];
-      voxels[column * strides[row.axes.column]] += static_cast<float>(sum[column]);
-    }
-  }
-  for (std::size_t column = 0; column < columns; ++column) {
-    if (row.lost[column] > 0) coverage.lost[number * columns + column] = row.lost[column] / row.sent[column];
-  }
+  return static_cast<float>(sum);
 }
 
 }  // namespace
 
-void add_ray_coverage(const GridSurface& surface, int axis, AxisCoverage& coverage) {
+RayBundle make_bundle(const GridSurface& surface, int axis) {
   const RayAxes& axes = ray_axes[axis];
   const Box& part = surface.part;
-  const Places columns = place_rays(surface.size[axes.column], part.min[axes.column], part.max[axes.column]);
-  const Places rows = place_rays(surface.size[axes.row], part.min[axes.row], part.max[axes.row]);
-  const RowBins bins = bin_rows(surface, axes.row);
-  const std::size_t column_count = surface.size[axes.column], depth_count = surface.size[axes.depth] + 2;
-  coverage.lost.assign(column_count * surface.size[axes.row], 0);
-  parallel_for(surface.size[axes.row], [&](std::size_t number) {
-    Row row{surface, axes, columns, {}, {}, {}, {}, 1, column_count, std::vector<float>(column_count, 0), {}};
-    row.sent = row.lost;
-    row.differences.assign(column_count * depth_count, 0);
-    const std::size_t first_row = number * rays_per_voxel, end_row = first_row + rays_per_voxel;
-    if (bins.begin[first_row] == bins.begin[end_row]) return;
-    for (std::size_t r = first_row; r < end_row; ++r) {
-      if (rows.width[r] == 0) continue;
-      find_crossings(row, bins.numbers.data() + bins.begin[r], bins.numbers.data() + bins.begin[r + 1], rows.middle[r]);
-      sort_crossings(row);
-      for (std::size_t ray = 0; ray < columns.middle.size(); ++ray) {
-        const auto weight = static_cast<std::int32_t>(std::lround(65536 * rows.width[r] * columns.width[ray]));
-        if (weight > 0) add_ray(row, ray, weight);
+  RayBundle bundle{axes,
+                   place_rays(surface.size[axes.column], part.min[axes.column], part.max[axes.column]),
+                   place_rays(surface.size[axes.row], part.min[axes.row], part.max[axes.row]),
+                   {},
+                   {}};
+  sort_into_layers(surface, bundle);
+  return bundle;
+}
+
+LayerRays::LayerRays(const GridSurface& surface, const RayBundle& bundle)
+    : surface_(surface), bundle_(bundle), first_(rays_per_voxel * bundle.columns.width.size(), none) {}
+
+Layer LayerRays::empty_layer() const {
+  const RayAxes& axes = bundle_.axes;
+  const std::size_t columns = surface_.size[axes.column], depths = surface_.size[axes.depth] + 2;  // differences reach one beyond
+  const std::size_t row = axes.depth == 0 ? depths : columns, rows = axes.depth == 0 ? columns : depths;
+  const std::size_t stride = (row + row_block - 1) / row_block * row_block;
+  return {stride, std::vector<std::int32_t>(stride * rows, 0), std::vector<float>(columns, 0), false};
+}
+
+HOMOLOG_WIDEST_CLONE void LayerRays::find_crossings(int number) {
+  const RayAxes& axes = bundle_.axes;
+  const double* columns = bundle_.columns.middle.data();
+  const std::size_t rays = bundle_.columns.width.size();
+  const double* rows = bundle_.rows.middle.data() + static_cast<std::ptrdiff_t>(number) * rays_per_voxel;
+  const FourDoubles four_rows{rows[0], rows[1], rows[2], rows[3]};
+  const double least_depth = depth_steps * surface_.part.min[axes.depth], most_depth = depth_steps * surface_.part.max[axes.depth];
+  std::uint32_t count = 0;
+  for (std::uint32_t n = bundle_.begin[number]; n < bundle_.begin[number + 1]; ++n) {
+    const auto& [a, b, c] = surface_.triangles[bundle_.numbers[n]];
+    const RowCuts cuts = cut_rows(surface_.vertices[a], surface_.vertices[b], surface_.vertices[c], axes, four_rows);
+    const FourInts first_cell = cells_of(cuts.from, rays), last_cell = cells_of(cuts.to, rays);
+    const FourDoubles depth_from = depth_steps * cuts.depth_from, way = depth_steps * (cuts.depth_to - cuts.depth_from);
+    const FourDoubles inverse = 1 / (cuts.to - cuts.from);
+    if (crossings_.size() < count + rays_per_voxel * rays) crossings_.resize(2 * count + rays_per_voxel * rays);
+    for (int r = 0; r < rays_per_voxel; ++r) {
+      std::uint32_t* const row = first_.data() + r * rays;
+      const int end = last_cell[r] + (columns[last_cell[r]] < cuts.to[r] ? 1 : 0);
+      for (int ray = first_cell[r] + (columns[first_cell[r]] < cuts.from[r] ? 1 : 0); ray < end; ++ray) {
+        const double share = std::min(1.0, (columns[ray] - cuts.from[r]) * inverse[r]);
+        const double depth = std::min(most_depth, std::max(least_depth, depth_from[r] + share * way[r]));
+        crossings_[count] = {static_cast<std::uint32_t>(static_cast<std::int64_t>(depth + 0.5)) << 1 | (cuts.downward[r] ? 1u : 0u),
+                             row[ray]};
+        row[ray] = count++;
       }
     }
-    store(row, number, coverage);
-  });
+  }
+}
+
+void LayerRays::add_ray(std::uint32_t first, std::int32_t weight, std::size_t column, Layer& layer) {
+  places_.clear();
+  int winding = 0;
+  for (std::uint32_t crossing = first; crossing != none; crossing = crossings_[crossing].next) {
+    places_.push_back(crossings_[crossing].place);
+    winding += crossings_[crossing].place & 1 ? -1 : 1;
+  }
+  if (winding != 0) {
+    layer.lost[column] += static_cast<float>(weight);
+    layer.any_lost = true;
+    return;
+  }
+  if (places_.size() > 2) {
+    std::sort(places_.begin(), places_.end());
+  } else if (places_[1] < places_[0]) {
+    std::swap(places_[0], places_[1]);
+  }
+  const std::size_t depth_stride = bundle_.axes.depth == 0 ? 1 : layer.stride;
+  std::int32_t* line = layer.differences.data() + column * (bundle_.axes.depth == 0 ? layer.stride : 1);
+  for (const std::uint32_t place : places_) {
+    const bool inside = winding != 0;
+    winding += place & 1 ? -1 : 1;
+    if ((winding != 0) == inside) continue;
+    const auto beyond = static_cast<std::int32_t>((static_cast<std::int64_t>(weight) * (place >> 1 & 0xffff) + 0x8000) >> 16);
+    std::int32_t* voxel = line + (place >> 17) * depth_stride;
+    voxel[0] += inside ? beyond - weight : weight - beyond;
+    voxel[depth_stride] += inside ? -beyond : beyond;
+  }
+}
+
+void LayerRays::follow(int number, Layer& layer) {
+  std::fill(layer.lost.begin(), layer.lost.end(), 0.0f);
+  layer.any_lost = false;
+  if (bundle_.begin[number] == bundle_.begin[number + 1]) return;
+  find_crossings(number);
+  const std::size_t rays = bundle_.columns.width.size();
+  for (std::size_t r = 0; r < rays_per_voxel; ++r) {
+    for (std::size_t ray = 0; ray < rays; ++ray) {
+      std::uint32_t& first = first_[r * rays + ray];
+      if (first == none) continue;
+      const std::int32_t weight = weight_of_ray(bundle_, number * rays_per_voxel + r, ray);
+      if (weight > 0) add_ray(first, weight, ray / rays_per_voxel, layer);
+      first = none;
+    }
+  }
+  for (std::size_t column = 0; layer.any_lost && column < layer.lost.size(); ++column) {
+    if (layer.lost[column] > 0) layer.lost[column] /= weight_of_column(bundle_, number, column);
+  }
 }
 
 }  // namespace homolog

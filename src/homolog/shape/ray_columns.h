@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Coverage of voxels by parallel rays: exact along the ray, several rays per voxel across it.
+// Coverage of voxels by parallel rays, layer by layer of voxels: exact along the ray, several rays per voxel across it.
 #pragma once
 
 #include <array>
@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "homolog/shape/mesh.h"
+#include "homolog/shape/ray_crossing.h"
 
 namespace homolog {
 
@@ -23,16 +24,59 @@ struct GridSurface {
   std::size_t voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }
 };
 
-/// What one axis says. The sums are whole numbers (exact in float), `full_coverage` for a voxel that is wholly inside.
-struct AxisCoverage {
-  std::vector<float> sums;  ///< per voxel, x fastest
-  std::vector<float> lost;  ///< per column of voxels: the share of its rays that do not close (0 to 1); they add nothing to the sums
-};
-
+/// What is summed per voxel along one axis when it is wholly inside.
 inline constexpr int full_coverage = rays_per_voxel * rays_per_voxel << 16;
 
-/// Adds the coverage found by rays along `axis` to the sums; inside is where the winding number is not 0. A ray that enters and leaves
-/// unequally often passes a hole and is lost. `lost` of axis (0, 1, 2) is numbered (y + z ny), (x + z nx), (x + y nx).
-void add_ray_coverage(const GridSurface& surface, int axis, AxisCoverage& coverage);
+/// The rays' places along one direction across them: the middles of the voxels' shares that lie in the part, and how wide these are.
+struct RayPlaces {
+  std::vector<double> middle;  ///< an infinite one behind the last
+  std::vector<double> width;   ///< 1 when wholly in the part, 0 when outside
+};
+
+/// All rays along one axis. A layer is the voxels of one row along `axes.row`; the triangles that may come into layer i are
+/// numbers[begin[i]] to numbers[begin[i + 1]].
+struct RayBundle {
+  RayAxes axes;
+  RayPlaces columns, rows;
+  std::vector<std::uint32_t> begin, numbers;
+};
+
+RayBundle make_bundle(const GridSurface& surface, int axis);
+
+/// What the rays through one layer say. Coverage is told in whole numbers by its differences along the rays, so that it returns to
+/// exactly 0 behind the solid.
+struct Layer {
+  std::size_t stride;                     ///< from row to row of the layer, in voxels; a row runs along x
+  std::vector<std::int32_t> differences;  ///< to the voxel before, along the ray; of the rays that close
+  std::vector<float> lost;                ///< per column of voxels: the share of its rays that do not close (0 to 1)
+  bool any_lost;
+};
+
+/// Follows the rays of one layer after the other, with the same memory.
+class LayerRays {
+ public:
+  LayerRays(const GridSurface& surface, const RayBundle& bundle);
+
+  /// Adds the differences of a layer, where inside is where the winding number is not 0, and sets what is lost: a ray that enters and
+  /// leaves unequally often passes a hole.
+  void follow(int number, Layer& layer);
+
+  /// A layer of zeros.
+  Layer empty_layer() const;
+
+ private:
+  struct Crossing {
+    std::uint32_t place;  ///< depth in 1 / 65536 voxel, twice, and one more where the ray leaves
+    std::uint32_t next;   ///< of the same ray
+  };
+  void find_crossings(int number);
+  void add_ray(std::uint32_t first, std::int32_t weight, std::size_t column, Layer& layer);
+
+  const GridSurface& surface_;
+  const RayBundle& bundle_;
+  std::vector<std::uint32_t> first_;  ///< crossing of each ray, row by row
+  std::vector<Crossing> crossings_;
+  std::vector<std::uint32_t> places_;  ///< of one ray
+};
 
 }  // namespace homolog
