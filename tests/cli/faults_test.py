@@ -3,6 +3,7 @@
 import fcntl
 import json
 import os
+import resource
 import shutil
 import signal
 import struct
@@ -165,6 +166,17 @@ class Surroundings(Program):
             for name in (n for n in (os.listdir(self.path("out")) if os.path.isdir(self.path("out")) else []) if not n.endswith(".partial")):
                 whole = whole or self.whole_results()
                 self.assertEqual(self.read("out", name), whole[name], name)
+
+    def test_what_a_killed_one_leaves_the_next_one_removes(self):
+        def limit_files():  # in the middle of writing the report the system kills it
+            resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))
+
+        done = self.run_it("points", "bear.off", "--out", "out", *COARSE, preexec_fn=limit_files)
+        self.assertEqual(done.returncode, -signal.SIGXFSZ)
+        left = os.listdir(self.path("out"))
+        self.assertTrue(left and all(name.startswith(".homolog.") and name.endswith(".partial") for name in left), left)
+        self.assertEqual(self.run_it("points", "bear_bis.off", "--out", "out", *COARSE).returncode, 0)
+        self.assertEqual(sorted(os.listdir(self.path("out"))), ["points.csv", "points.json", "points.mrk.json", "report.html"])
 
     def whole_results(self):
         self.assertEqual(self.run_it("points", "bear.off", "--out", "whole", *COARSE).returncode, 0)

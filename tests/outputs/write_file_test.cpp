@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/outputs/write_file.h"
 
+#include <fcntl.h>
 #include <gmock/gmock.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <sstream>
 
 #include "homolog/base/errors.h"
+#include "homolog/base/parallel.h"
 
 namespace homolog {
 namespace {
@@ -68,6 +72,28 @@ TEST_F(WriteFile, NamesTheFileAndTheReason) {
     EXPECT_THAT(error.what(), HasSubstr("below.txt"));
     EXPECT_THAT(error.what(), HasSubstr("Not a directory"));
   }
+}
+
+TEST_F(WriteFile, RemovesWhatTheDeadHaveLeftAndNothingOfTheLiving) {
+  for (const char* name : {".homolog.1.a.partial", ".homolog.2.b.partial", ".other.partial", ".homolog.txt"}) {
+    std::ofstream(folder / name) << "half";
+  }
+  const int living = open((folder / ".homolog.2.b.partial").c_str(), O_RDONLY);
+  ASSERT_EQ(flock(living, LOCK_EX), 0);
+  write_file(folder / "a", "1");
+  EXPECT_THAT(names(), UnorderedElementsAre("a", ".homolog.2.b.partial", ".other.partial", ".homolog.txt"));
+  close(living);  // as its death would
+  write_files({{folder / "b", "2"}});
+  EXPECT_THAT(names(), UnorderedElementsAre("a", "b", ".other.partial", ".homolog.txt"));
+}
+
+TEST_F(WriteFile, ManyWriteIntoOneFolderAtOnce) {
+  parallel_for(64, [&](std::size_t i) {
+    const std::string name = std::to_string(i % 8);
+    write_files({{folder / name, std::string(10000, name[0])}, {folder / ("other" + name), name}});
+  });
+  EXPECT_EQ(names().size(), 16u);
+  for (char name = '0'; name < '8'; ++name) EXPECT_EQ(read({name}), std::string(10000, name));
 }
 
 }  // namespace

@@ -14,10 +14,11 @@ struct OutputFile {
   std::string contents;
 };
 
-/// Writes all files or none: no name changes before every byte is on the disk. Throws OutputError and leaves no temporary file.
+/// Writes all files or none: no name changes before every byte is on the disk. Throws OutputError and leaves no temporary file; what a
+/// killed writer left in the same folders is removed.
 void write_files(const std::vector<OutputFile>& files);
 
-/// Writes one file. Throws OutputError and leaves no temporary file.
+/// Writes one file in the same way.
 void write_file(const std::filesystem::path& path, std::string_view contents);
 
 }  // namespace homolog

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/partial_file.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <system_error>
+#include <utility>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view prefix = ".homolog.", suffix = ".partial";
+
+[[noreturn]] void fail(const fs::path& path, const std::string& reason) {
+  throw OutputError(fmt::format("cannot write '{}': {}", path.string(), reason));
+}
+
+std::string reason_of(int error) { return std::generic_category().message(error); }
+
+/// Process and clock keep apart what is written into one folder at once.
+fs::path partial_name(const fs::path& path) {
+  const auto stamp = std::chrono::steady_clock::now().time_since_epoch().count();
+  return path.parent_path() / fmt::format("{}{}.{:x}{}", prefix, getpid(), stamp, suffix);
+}
+
+/// Between making a file and locking it, it looks like a leftover, and somebody may remove it.
+bool was_removed(int file) {
+  struct stat status {};
+  return fstat(file, &status) == 0 && status.st_nlink == 0;
+}
+
+/// Whether everything arrived; some file systems tell only when a file is closed.
+bool write_all(int file, std::string_view contents) {
+  while (!contents.empty()) {
+    const ssize_t written = write(file, contents.data(), contents.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    contents.remove_prefix(static_cast<std::size_t>(written));
+  }
+  const int again = dup(file);
+  return again >= 0 && close(again) == 0;
+}
+
+}  // namespace
+
+PartialFile::PartialFile(fs::path path, std::string_view contents) : path_(std::move(path)) {
+  if (std::error_code ignored; fs::is_directory(path_, ignored)) fail(path_, "a folder has this name");
+  while (file_ < 0) {
+    partial_ = partial_name(path_);
+    file_ = open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (file_ < 0 && errno == EEXIST) continue;
+    if (file_ < 0) fail(path_, reason_of(errno));
+    flock(file_, LOCK_EX);
+    if (was_removed(file_)) close(std::exchange(file_, -1));
+  }
+  if (write_all(file_, contents)) return;
+  const int error = errno;
+  unlink(partial_.c_str());
+  close(file_);
+  fail(path_, reason_of(error));
+}
+
+PartialFile::~PartialFile() {
+  if (!partial_.empty()) unlink(partial_.c_str());
+  close(file_);
+}
+
+void PartialFile::rename() {
+  std::error_code error;
+  fs::rename(partial_, path_, error);
+  if (error) fail(path_, error.message());
+  partial_.clear();
+}
+
+void remove_leftovers(const fs::path& folder) {
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder.empty() ? "." : folder, ignored), end; entry != end; entry.increment(ignored)) {
+    const std::string name = entry->path().filename().string();
+    if (!name.starts_with(prefix) || !name.ends_with(suffix)) continue;
+    const int file = open(entry->path().c_str(), O_WRONLY | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK);
+    if (file < 0) continue;
+    if (flock(file, LOCK_EX | LOCK_NB) == 0) unlink(entry->path().c_str());
+    close(file);
+  }
+}
+
+}  // namespace homolog

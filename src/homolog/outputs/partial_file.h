@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// A file in the making: it lies beside where it belongs, under a name of its own, and is locked as long as its writer lives.
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace homolog {
+
+class PartialFile {
+ public:
+  /// Writes all of it, and still leaves what lies at `path` as it is. Throws OutputError.
+  PartialFile(std::filesystem::path path, std::string_view contents);
+  /// Removes it, unless it has got its name.
+  ~PartialFile();
+  PartialFile(const PartialFile&) = delete;
+  PartialFile& operator=(const PartialFile&) = delete;
+
+  /// Gives it the name `path`. Throws OutputError.
+  void rename();
+
+ private:
+  std::filesystem::path path_, partial_;
+  int file_ = -1;
+};
+
+/// Removes the partial files of writers that were killed. Those of the living stay: the system gives up a lock when its process ends,
+/// however it does. Where files cannot be locked, all stay.
+void remove_leftovers(const std::filesystem::path& folder);
+
+}  // namespace homolog
