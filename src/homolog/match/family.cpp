@@ -20,12 +20,14 @@ constexpr double rivalry = 12;          // log of odds per merit between matches
 constexpr std::size_t compared = 150;   // nodes of each
 constexpr double near_tie = 0.15;       // merit within which the other handedness makes a match ambiguous
 
-// Most sets fall behind early: after so many steps of the first draw only so many stay.
+// Most sets fall behind early: after so many steps of the first draw only so many stay, and none that is behind by more merit than this
+// another that claims the same part of the data.
 struct Heat {
   int steps;
   std::size_t most;
+  double most_behind;
 };
-constexpr Heat heats[] = {{3, 40}, {6, 24}, {first_steps, 16}};
+constexpr Heat heats[] = {{3, 40, 0.6}, {6, 24, 0.4}, {first_steps, 16, 0.3}};
 
 std::size_t shared_pairs(const CorrespondenceSet& a, const CorrespondenceSet& b) {
   return std::count_if(a.begin(), a.end(), [&](const Correspondence& c) {
@@ -70,6 +72,15 @@ bool same_part(const Refined& match, const Refined& other, const Shape& model, c
   return overlap(match.cloth, other.cloth, 0.1 * extent_of(match.cloth, model, data)) > 0.6;
 }
 
+// `all` come best first. A mirrored one that shall not be told leaves the others alone.
+std::vector<Refined> without_lagging(std::vector<Refined> all, double most_behind, const Shape& model, const Shape& data, Mirror mirror) {
+  const std::size_t count = all.size();
+  return distinct(std::move(all), count, [&](const Refined& candidate, const Refined& kept) {
+    const double behind = rank_merit(kept.evidence, kept.cloth.chirality) - rank_merit(candidate.evidence, candidate.cloth.chirality);
+    return behind > most_behind && allowed(kept.cloth.chirality, mirror) && same_part(candidate, kept, model, data);
+  });
+}
+
 // Of matches that claim the same part of the data one is right, and those as good are symmetric to it: a worse one is believed by the
 // odds between them. `all` come best first by merit and leave so by belief: other copies of the model come before worse ways to lay it on
 // the first one.
@@ -97,17 +108,22 @@ struct LaidSet {
   std::vector<Vec3> image;  // of the model's points
 };
 
-std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params) {
+std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
+                                bool without_identity) {
+  const auto is_identity = [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; };
   std::vector<Refined> refined;
   for (const GrownSet& set : sets) refined.push_back(lay_set(set, model));
   int begin = 0;
-  for (const auto& [end, most] : heats) {
+  for (const auto& [end, most, most_behind] : heats) {
     parallel_for(refined.size(), [&](std::size_t i) { draw_set(refined[i], model, data, params.descriptor.kind, begin, end); });
     refined = without_duplicates(std::move(refined), model, data);
     refined.resize(std::min(refined.size(), most));
+    if (without_identity) std::erase_if(refined, is_identity);
+    refined = without_lagging(std::move(refined), most_behind, model, data, params.match.mirror);
     begin = end;
   }
   parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });
+  if (without_identity) std::erase_if(refined, is_identity);
   return without_duplicates(std::move(refined), model, data);
 }
 
@@ -146,10 +162,7 @@ bool allowed(Chirality chirality, Mirror mirror) {
 }
 
 Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity) {
-  std::vector<Refined> refined = refine_all(sets, model, data, params);
-  if (without_identity) {
-    std::erase_if(refined, [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; });
-  }
+  const std::vector<Refined> refined = refine_all(sets, model, data, params, without_identity);
   std::vector<Refined> told = refined;
   std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
   Family family;
