@@ -6,11 +6,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <cstdint>
 #include <numeric>
 #include <random>
-
-#include "homolog/base/parallel.h"
 
 namespace homolog {
 namespace {
@@ -32,24 +30,20 @@ Volume<float> noise(int nx, int ny, int nz) {
   return volume;
 }
 
-// A whole volume through the rolling blur, `chunk` slices at a time.
-Volume<float> gaussian_blur(const Volume<float>& volume, double sigma, int chunk = 4) {
+// A whole volume, `band` rows at a time.
+Volume<float> gaussian_blur(const Volume<float>& volume, double sigma, int band = 1000) {
   const auto& [nx, ny, nz] = volume.frame.size;
-  RollingVolume in(volume.frame, nz), out(volume.frame, nz);
+  const GaussianBlur blur(sigma);
+  RollingVolume in(volume.frame, nz, 1), out(volume.frame, nz, blur.plateau_after(1));
+  const std::vector<std::uint8_t> mixed(in.blocks(), mixed_block);
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
-      const auto nonzero = [](float value) { return value != 0; };
-      const float *row = &volume.at(0, j, k), *low = std::find_if(row, row + nx, nonzero);
-      const float* high = std::find_if(std::reverse_iterator(row + nx), std::reverse_iterator(low), nonzero).base();
-      std::copy(low, high, in.begin_row(j, k, {static_cast<int>(low - row), static_cast<int>(high - row)}) + (low - row));
+      std::copy(&volume.at(0, j, k), &volume.at(0, j, k) + nx, in.begin_row(j, k, mixed.data()));
+      in.end_row(j, k);
     }
   }
-  RollingBlur blur(volume.frame, sigma, chunk);
-  for (int made = 0; made < nz;) {
-    blur.take(in, std::min(nz, blur.taken() + chunk));
-    const int end = std::min(blur.ready(), made + chunk);
-    blur.give(made, end, out, [](int, int) {});
-    made = end;
+  for (int k = 0; k < nz; k += row_group) {
+    for (int j = 0; j < ny; j += band) blur.blur_rows(in, k, j, std::min(ny, j + band), out, [](int, int) {});
   }
   Volume<float> blurred = empty_volume(nx, ny, nz);
   for (int k = 0; k < nz; ++k) {
@@ -104,15 +98,20 @@ TEST(GaussianBlur, VariancesAdd) {
   EXPECT_NEAR(once.at(20, 20, 20) * std::pow(2 * M_PI * 6.25, 1.5), 1, 5e-3);
 }
 
-TEST(GaussianBlur, BytesDoNotDependOnThreadsOrChunks) {
+TEST(GaussianBlur, BytesDoNotDependOnBands) {
   const Volume<float> volume = noise(90, 50, 40);
-  const auto blurred_by = [&](int threads, int chunk) {
-    const ThreadLimit limit(threads);
-    return gaussian_blur(volume, 2.1, chunk).values;
-  };
-  const std::vector<float> expected = blurred_by(1, 8);
-  EXPECT_EQ(blurred_by(2, 8), expected);
-  for (const int chunk : {1, 3, 40}) EXPECT_EQ(blurred_by(2, chunk), expected) << chunk;
+  const std::vector<float> expected = gaussian_blur(volume, 2.1).values;
+  for (const int band : {1, 8, 13, 24}) EXPECT_EQ(gaussian_blur(volume, 2.1, band).values, expected) << band;
+}
+
+TEST(GaussianBlur, InsideALargeBoxIsThePlateauThatIsForetold) {
+  Volume<float> box = empty_volume(64, 40, 40);
+  std::fill(box.values.begin(), box.values.end(), 1.0f);
+  const GaussianBlur blur(1.5);
+  const Volume<float> blurred = gaussian_blur(box, 1.5);
+  EXPECT_EQ(blurred.at(32, 20, 20), blur.plateau_after(1));
+  EXPECT_NEAR(blurred.at(32, 20, 20), 1, 1e-6);
+  EXPECT_LT(blurred.at(0, 20, 20), 0.7);
 }
 
 }  // namespace

@@ -22,10 +22,10 @@ GridFrame unit_grid(int x, int y, int z) { return {{2 * x + 1, 2 * y + 1, 2 * z 
 // Calls visit(level, i, j, k, value) for every voxel of every level of an octave's new slices.
 template <class Visit>
 void visit_new_voxels(const Octave& octave, const Visit& visit) {
-  for (std::size_t level = 0; level < octave.levels.size(); ++level) {
+  for (int level = 0; level < octave.levels(); ++level) {
     for (int k = octave.first; k < octave.end; ++k) {
       for (int j = 0; j < octave.frame().size[1]; ++j) {
-        for (int i = 0; i < octave.frame().size[0]; ++i) visit(level, i, j, k, octave.levels[level].row(j, k)[i]);
+        for (int i = 0; i < octave.frame().size[0]; ++i) visit(level, i, j, k, octave.at(level, i, j, k));
       }
     }
   }
@@ -37,7 +37,7 @@ std::vector<std::vector<Volume<float>>> whole_octaves(const Interior& interior, 
   for_each_octave(interior, {}, reach, [&](const Octave& octave) {
     if (octave.first == 0) {
       const Volume<float> empty{octave.frame(), std::vector<float>(octave.frame().voxels())};
-      octaves.emplace_back(octave.levels.size(), empty);
+      octaves.emplace_back(octave.levels(), empty);
     }
     visit_new_voxels(octave, [&](std::size_t level, int i, int j, int k, float value) { octaves.back()[level].at(i, j, k) = value; });
   });
@@ -73,8 +73,8 @@ Volume<float> plainly_blurred(const Volume<float>& volume, const std::vector<flo
   for (int k = 0; k < nz; ++k) {
     for (int j = 0; j < ny; ++j) {
       for (int i = 0; i < nx; ++i) {
-        float sum = weights[0] * value({i, j, k}, 0);
-        for (int t = 1; t <= radius; ++t) sum += weights[t] * (value({i, j, k}, -t) + value({i, j, k}, t));
+        float sum = 0;
+        for (int t = -radius; t <= radius; ++t) sum = std::fma(weights[std::abs(t)], value({i, j, k}, t), sum);
         blurred.at(i, j, k) = sum;
       }
     }
@@ -82,14 +82,17 @@ Volume<float> plainly_blurred(const Volume<float>& volume, const std::vector<flo
   return blurred;
 }
 
-Volume<float> plainly_blurred(Volume<float> volume, double sigma) {
-  for (int axis = 0; axis < 3; ++axis) volume = plainly_blurred(volume, gaussian_kernel(sigma), axis);
+// Along z, y and x; `plateau` is what constant coverage has become so far.
+Volume<float> plainly_blurred(Volume<float> volume, double sigma, float& plateau) {
+  for (const int axis : {2, 1, 0}) volume = plainly_blurred(volume, gaussian_kernel(sigma), axis);
+  plateau = GaussianBlur(sigma).plateau_after(plateau);
+  for (float& value : volume.values) value = value < nearly_zero ? 0 : value > plateau - nearly_plateau ? plateau : value;
   return volume;
 }
 
 // The fast way gives the bytes of the plain one: whole volumes, one level after the other, three loops each.
 TEST(ScaleSpace, GrowingOctavesEqualPlainOnesBitByBit) {
-  const Interior interior = rasterize(join({ball({-9, 2, 1}, 5), ball({9, -3, 0}, 3)}), unit_grid(15, 9, 7));
+  const Interior interior = rasterize(join({ball({-19, 2, 1}, 15), ball({19, -3, 0}, 3)}), unit_grid(36, 18, 17));
   const SalientParams params;
   const double k = std::cbrt(2);
   for (const int reach : {0, 3}) {
@@ -109,9 +112,10 @@ TEST(ScaleSpace, GrowingOctavesEqualPlainOnesBitByBit) {
         }
       }
     }
-    fine = plainly_blurred(fine, std::sqrt(params.sigma0 * params.sigma0 - 1.0 / 12));
+    float plateau = 1;
+    fine = plainly_blurred(fine, std::sqrt(params.sigma0 * params.sigma0 - 1.0 / 12), plateau);
     for (std::size_t level = 0; level < octaves[0].size(); ++level) {
-      const Volume<float> coarse = plainly_blurred(fine, params.sigma0 * std::pow(k, level) * std::sqrt(k * k - 1));
+      const Volume<float> coarse = plainly_blurred(fine, params.sigma0 * std::pow(k, level) * std::sqrt(k * k - 1), plateau);
       const auto factor = static_cast<float>(-1 / (std::log(k) * ball_response(k)));
       for (std::size_t v = 0; v < fine.values.size(); ++v) {
         ASSERT_EQ(octaves[0][level].values[v], factor * (fine.values[v] - coarse.values[v])) << level;
@@ -175,11 +179,10 @@ TEST(ScaleSpace, ReachKeepsTheSurroundings) {
     EXPECT_EQ(octave.first, octave.first == 0 ? 0 : end);
     end = octave.end;
     const int low = std::max(0, octave.first - reach), high = std::min(octave.frame().size[2], octave.end + reach);
-    for (std::size_t level = 0; level < octave.levels.size(); ++level) {
+    for (int level = 0; level < octave.levels(); ++level) {
       for (int k = low; k < high; ++k) {
         for (int j = 0; j < octave.frame().size[1]; ++j) {
-          const float* row = octave.levels[level].row(j, k);
-          ASSERT_TRUE(std::equal(row, row + octave.frame().size[0], &octaves[number][level].at(0, j, k))) << k;
+          for (int i = 0; i < octave.frame().size[0]; ++i) ASSERT_EQ(octave.at(level, i, j, k), octaves[number][level].at(i, j, k)) << k;
         }
       }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sec. 4.1: convolution of a volume with the Gaussian G(x, sigma), axis by axis, zero outside; slice by slice, so that what a sum needs
-// is still in the cache and memory is needed for a few slices only.
+// Sec. 4.1: convolution of a volume with the Gaussian G(x, sigma), axis by axis, zero outside; a few slices at a time, so that what a sum
+// needs is in the cache. Where all that a sum reaches is constant, so is the sum, and none is made.
 // Differs: the 3D normalisation (2 pi sigma^2)^(-3/2), not the printed 2D one; the sampled kernel has exactly the variance sigma^2.
 #pragma once
 
@@ -14,31 +14,23 @@ namespace homolog {
 /// Half of a sampled Gaussian: weights[t] for offsets t and -t; they sum to 1 over both sides and have variance sigma^2 (in voxels).
 std::vector<float> gaussian_kernel(double sigma);
 
-/// Blurs a volume by `sigma` voxels while it is being made. Empty runs of rows are skipped; bytes do not depend on the number of threads
-/// or on how many slices are handed over at a time.
-class RollingBlur {
+/// A blur by `sigma` voxels. Every blurred value is the sum over z, then y, then x.
+class GaussianBlur {
  public:
-  /// At most `chunk` slices are taken and given at a time.
-  RollingBlur(const GridFrame& frame, double sigma, int chunk);
+  explicit GaussianBlur(double sigma);
 
-  int radius() const { return static_cast<int>(weights_.size()) - 1; }
-  int taken() const { return taken_; }
+  int radius() const { return weights_.radius(); }
 
-  /// Takes the next slices of the volume, up to but without `end`.
-  void take(const RollingVolume& volume, int end);
+  /// What a plateau of this height is blurred: the same, but for rounding. It must be that of blurred volumes.
+  float plateau_after(float plateau) const;
 
-  /// How many blurred slices can be given after what was taken.
-  int ready() const;
-
-  /// Writes the blurred slices first <= k < end, in order over all calls, and calls done(j, k) for every row of them.
-  void give(int first, int end, RollingVolume& blurred, const std::function<void(int, int)>& done) const;
+  /// Writes the rows first_row <= j < end_row of the blurred slices from `first` on, row_group of them or as many as there are, and calls
+  /// done(j, k) for each. The slices from first - radius to first + row_group - 1 + radius, as far as there are any, must be held.
+  void blur_rows(const RollingVolume& volume, int first, int first_row, int end_row, RollingVolume& blurred,
+                 const std::function<void(int, int)>& done) const;
 
  private:
-  void blur_slice(const RollingVolume& volume, int k);
-
-  std::vector<float> weights_;
-  RollingVolume flat_;  // blurred along x and y
-  int taken_ = 0;
+  RowWeights weights_;
 };
 
 }  // namespace homolog

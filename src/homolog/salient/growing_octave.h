@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Sec. 4.3: all levels of one octave grow together, a few slices at a time: each is blurred from the one below as soon as that has the
-// slices for it, and becomes a difference as soon as the one above is there. So every sum finds its input in the cache, and memory
-// is needed for a share of the slices only.
+// slices for it. So memory is needed for a share of the slices only.
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "homolog/salient/gaussian_blur.h"
@@ -12,34 +12,33 @@
 
 namespace homolog {
 
-/// Slices by which a level grows at a time: few enough for the cache, enough for several threads.
-inline constexpr int growth_step = 8;
-
 class GrowingOctave {
  public:
-  /// An octave on `frame`, whose lowest level is blurred by params.sigma0 voxels. Slices stay while one within `reach` is new.
-  GrowingOctave(const GridFrame& frame, const SalientParams& params, int reach);
+  /// An octave on `frame`, whose lowest level is blurred by params.sigma0 voxels: `lowest`, made whole, or else made from coverage by and
+  /// by. Slices stay while one within `reach` is new.
+  GrowingOctave(const GridFrame& frame, const SalientParams& params, int reach, std::optional<RollingVolume> lowest);
 
-  /// Takes the lowest level, made whole, instead of having it made by and by.
-  void begin_with(RollingVolume lowest);
-
-  /// Called once more slices of the lowest level are wanted: gets how many there are, returns how many there are now (up to growth_step
-  /// more).
-  using MakeSlices = std::function<int(int made, RollingVolume& lowest)>;
+  /// Writes row (j, k) of the coverage.
+  using MakeRow = std::function<void(RollingVolume& coverage, int j, int k)>;
   /// Called for every row (j, k) of the level with twice the lowest's blur, from which the next octave is made.
   using TakeRow = std::function<void(const RollingVolume& level, int j, int k)>;
 
   /// Grows to the end; calls visit(octave) whenever slices are new.
-  void grow(const MakeSlices& make_lowest, const TakeRow& take_row, const std::function<void(const Octave&)>& visit);
+  void grow(const MakeRow& make_coverage, const TakeRow& take_row, const std::function<void(const Octave&)>& visit);
+
+  /// The plateau of the level with twice the lowest's blur.
+  float doubled_plateau() const { return volumes_[volumes_.size() - 3].plateau(); }
 
  private:
-  void grow_above(std::size_t i, const TakeRow& take_row);
+  struct Part;
+  void add_volume(std::size_t i);
+  std::vector<Part> next_parts() const;
+  void grow_part(const Part& part, const MakeRow& make_coverage, const TakeRow& take_row);
 
-  Octave octave_;                   // levels[i] holds G(s_i), slice by slice replaced by the difference
-  RollingVolume top_;               // the last G, of which there is no difference
-  std::vector<RollingBlur> blurs_;  // blurs_[i] makes level i + 1 from level i
-  std::vector<int> made_;           // slices of every level and the top
-  float factor_;
+  std::vector<GaussianBlur> blurs_;     // blurs_[i] makes volume i + 1 from volume i
+  std::vector<RollingVolume> volumes_;  // coverage, if the lowest level is made from it, and all levels
+  std::vector<int> made_;               // slices of every volume
+  Octave octave_;
   int reach_;
 };
 

@@ -22,8 +22,8 @@ struct Quadratic {
   double at(const Vec3& d) const { return value + gradient.dot(d) + d.dot(hessian * d) / 2; }
 };
 
-Quadratic quadratic_at(const RollingVolume& level, const std::array<int, 3>& v) {
-  const auto f = [&](int i, int j, int k) { return double(level.row(v[1] + j, v[2] + k)[v[0] + i]); };
+Quadratic quadratic_at(const Octave& octave, int level, const std::array<int, 3>& v) {
+  const auto f = [&](int i, int j, int k) { return double(octave.at(level, v[0] + i, v[1] + j, v[2] + k)); };
   const auto along = [&](int a, int b, int s, int t) {  // s steps along axis a, t along axis b
     std::array<int, 3> d{0, 0, 0};
     d[a] += s, d[b] += t;
@@ -69,8 +69,7 @@ struct Stack {
 };
 
 Stack stack_at(const Octave& octave, int level, const std::array<int, 3>& voxel) {
-  return {{quadratic_at(octave.levels[level - 1], voxel), quadratic_at(octave.levels[level], voxel),
-           quadratic_at(octave.levels[level + 1], voxel)}};
+  return {{quadratic_at(octave, level - 1, voxel), quadratic_at(octave, level, voxel), quadratic_at(octave, level + 1, voxel)}};
 }
 
 // Newton's step to the maximum, at most one cell. Along a direction that bends less than this share of the strongest it stays where it is.

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
-// A volume that is made from bottom to top and of which only the newest slices are kept.
+// Rows that know which of their blocks are constant, and a volume of them that is made from bottom to top and of which only the newest
+// slices are kept.
 #pragma once
 
-#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "homolog/salient/row_sums.h"
@@ -10,54 +13,80 @@
 
 namespace homolog {
 
-/// The part of a row that may be nonzero: [low, high).
-struct Run {
-  int low = 0, high = 0;
-  bool empty() const { return low >= high; }
-};
-
-/// The smallest run that holds both.
-inline Run joined(const Run& a, const Run& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.low, b.low), std::max(a.high, b.high)};
-}
-
-/// Slice k takes the place of slice k - held. Rows start on borders of cache lines and are padded to whole blocks (row_block).
-class RollingVolume {
+/// Rows of whole blocks, each beginning on a border of cache lines, in slots of `depth` rows that share the kinds of their blocks. Constant
+/// blocks are written only when they have been something else before.
+class BlockRows {
  public:
-  RollingVolume(const GridFrame& frame, int held);
+  BlockRows(int blocks, std::size_t slots, int depth, float plateau);
 
-  const GridFrame& frame() const { return frame_; }
-  int stride() const { return stride_; }
+  int blocks() const { return static_cast<int>(blocks_); }
+  float plateau() const { return plateau_; }
+  const float* row(std::size_t slot, int n = 0) const { return values_[(slot * depth_ + n) * blocks_].values; }
+  float* row(std::size_t slot, int n = 0) { return values_[(slot * depth_ + n) * blocks_].values; }
+  const std::uint8_t* kinds(std::size_t slot) const { return &kinds_[slot * blocks_]; }
 
-  /// Row j of slice k, one of the newest `held` ones. What lies beyond the frame's size has no meaning.
-  const float* row(int j, int k) const { return blocks_[slot(j, k) * blocks_per_row_].values; }
-  const Run& run(int j, int k) const { return runs_[slot(j, k)]; }
-
-  /// The same row to be written within `run`, in whole blocks; everywhere else it is 0 from now on.
-  float* begin_row(int j, int k, const Run& run);
-  /// The same row to be changed within `run`, which holds the row's own.
-  float* change_row(int j, int k, const Run& run);
-
-  /// Fills in the rows k - radius to k + radius of column j, rows of zeros beyond the frame, and returns the run of all of them.
-  Run column(int j, int k, std::vector<const float*>& rows) const;
+  /// Gives the blocks of a slot new kinds; mixed ones are then to be written.
+  void begin(std::size_t slot, const std::uint8_t* kinds);
+  /// Looks which mixed blocks of a slot's first row are constant.
+  void settle(std::size_t slot);
 
  private:
   struct alignas(64) Block {
     float values[row_block];
   };
+  std::size_t blocks_, depth_;
+  float plateau_;
+  struct Free {
+    void operator()(Block* blocks) const;
+  };
+  std::unique_ptr<Block[], Free> values_;  // without a value until it is begun
+  std::vector<std::uint8_t> kinds_;
+};
+
+/// Adds what other blocks may hold.
+inline void join_kinds(const std::uint8_t* more, int blocks, std::uint8_t* kinds) {
+#pragma GCC ivdep
+  for (int b = 0; b < blocks; ++b) kinds[b] |= more[b];
+}
+
+/// Calls work(begin, end) for every run of mixed blocks, in floats.
+template <class Work>
+void for_mixed_runs(const std::uint8_t* kinds, int blocks, const Work& work) {
+  for (int b = 0; b < blocks; ++b) {
+    if (kinds[b] != mixed_block) continue;
+    const int first = b;
+    while (b < blocks && kinds[b] == mixed_block) ++b;
+    work(first * row_block, b * row_block);
+  }
+}
+
+/// Slice k takes the place of slice k - held. What lies beyond the frame's size in a row is 0.
+class RollingVolume {
+ public:
+  RollingVolume(const GridFrame& frame, int held, float plateau);
+
+  const GridFrame& frame() const { return frame_; }
+  int blocks() const { return rows_.blocks(); }
+  float plateau() const { return rows_.plateau(); }
+
+  /// Row j of slice k, one of the newest `held` ones.
+  const float* row(int j, int k) const { return rows_.row(slot(j, k)); }
+  const std::uint8_t* kinds(int j, int k) const { return rows_.kinds(slot(j, k)); }
+
+  /// The same row to be written where it is to be mixed, and its end once it is.
+  float* begin_row(int j, int k, const std::uint8_t* kinds);
+  void end_row(int j, int k);
+
+  /// The rows from `first` on of column j, rows of zeros beyond the frame, and what their blocks may hold together.
+  void column(int j, int first, std::vector<const float*>& rows, std::vector<std::uint8_t>& kinds) const;
+
+ private:
   std::size_t slot(int j, int k) const { return static_cast<std::size_t>(k % held_) * frame_.size[1] + j; }
 
   GridFrame frame_;
-  int held_, stride_;
-  std::size_t blocks_per_row_;
-  std::vector<Block> blocks_;  // the last row stays 0
-  std::vector<Run> runs_;
+  int held_;
+  BlockRows rows_;
+  std::size_t zeros_;  // the slot of a row of zeros
 };
-
-/// Borders of the whole blocks that hold a run.
-inline int block_begin(const Run& run) { return run.low / row_block * row_block; }
-inline int block_end(const Run& run) { return (run.high + row_block - 1) / row_block * row_block; }
 
 }  // namespace homolog

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <cstdint>
 #include <tuple>
 
 #include "homolog/base/parallel.h"
@@ -17,6 +18,8 @@ namespace {
 
 // A voxel answers a little weaker than the peak between the voxels.
 constexpr float kVoxelShare = 0.8f;
+// So many voxels of a row are looked through at once for one that is strong enough.
+constexpr int kScanned = 4 * row_block;
 // Next to the octave below or above both octaves may keep a peak that lies between them; duplicates are merged afterwards.
 constexpr float kBorderShare = 0.99f;
 // Over the middle of an even plate peaks among voxels are where the grid comes nearest to it: hundreds, and others after every turn. A
@@ -24,55 +27,54 @@ constexpr float kBorderShare = 0.99f;
 // .78 of the points repeatable under rotation, but takes the points along limbs, a quarter of the right pairs, and gains no match.
 constexpr double kLeastSheetFall = 0.003;
 
-// Rows j - 1 to j + 1 of slices k - 1 to k + 1 of a level.
-using Rows = std::array<const float*, 9>;
-
-Rows rows_around(const RollingVolume& level, int j, int k) {
-  Rows rows;
-  for (int n = 0; n < 9; ++n) rows[n] = level.row(j + n % 3 - 1, k + n / 3 - 1);
-  return rows;
-}
-
-// Whether the voxel exceeds its 26 neighbours on its own level. Of equals the one with the lowest index wins, so that a symmetric shape
+// Whether a voxel exceeds its 26 neighbours on its own level. Of equals the one with the lowest index wins, so that a symmetric shape
 // centred between voxels is not lost.
-bool tops_own_level(const Rows& rows, int i) {
-  const float value = rows[4][i];
+bool tops_own_level(const Octave& octave, int level, int i, int j, int k) {
+  const float value = octave.at(level, i, j, k);
   for (int n = 0; n < 27; ++n) {
-    const float other = rows[n / 3][i + n % 3 - 1];
+    const float other = octave.at(level, i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1);
     if (n < 13 ? other >= value : other > value) return false;
   }
   return true;
 }
 
 // Whether `value` exceeds (or, with `ties`, equals) all 27 neighbours on another level.
-bool tops_other_level(const Rows& rows, int i, float value, bool ties) {
+bool tops_other_level(const Octave& octave, int level, int i, int j, int k, float value, bool ties) {
   for (int n = 0; n < 27; ++n) {
-    const float other = rows[n / 3][i + n % 3 - 1];
+    const float other = octave.at(level, i + n % 3 - 1, j + n / 3 % 3 - 1, k + n / 9 - 1);
     if (ties ? other > value : other >= value) return false;
   }
   return true;
 }
 
-// The peaks of one row of a level, each compared with its 80 neighbours; one on a level of another octave counts a little less.
+// Whether a voxel exceeds its 80 neighbours; one on a level of another octave counts a little less.
+bool is_peak(const Octave& octave, int level, int i, int j, int k) {
+  const float value = octave.at(level, i, j, k);
+  const float lower = level == 1 ? value / kBorderShare : value, upper = level == octave.levels() - 2 ? value / kBorderShare : value;
+  return tops_own_level(octave, level, i, j, k) && tops_other_level(octave, level - 1, i, j, k, lower, false) &&
+         tops_other_level(octave, level + 1, i, j, k, upper, true);
+}
+
+// The peaks of one row of a level. Where it is constant there are none.
 void append_peaks_of_row(const Octave& octave, int level, int j, int k, float least, std::vector<Peak>& peaks) {
-  const int last = static_cast<int>(octave.levels.size()) - 2;
-  const Run& run = octave.levels[level].run(j, k);
-  const float* row = octave.levels[level].row(j, k);
-  for (int i = std::max(1, run.low); i < std::min(run.high, octave.frame().size[0] - 1); ++i) {
-    if (row[i] < least || row[i - 1] >= row[i] || row[i + 1] > row[i] || !tops_own_level(rows_around(octave.levels[level], j, k), i))
-      continue;
-    const float lower = level == 1 ? row[i] / kBorderShare : row[i], upper = level == last ? row[i] / kBorderShare : row[i];
-    if (tops_other_level(rows_around(octave.levels[level - 1], j, k), i, lower, false) &&
-        tops_other_level(rows_around(octave.levels[level + 1], j, k), i, upper, true)) {
-      peaks.push_back({level, {i, j, k}});
+  const RollingVolume &finer = octave.blurred[level], &coarser = octave.blurred[level + 1];
+  std::vector<std::uint8_t> kinds(finer.kinds(j, k), finer.kinds(j, k) + finer.blocks());
+  for (int b = 0; b < finer.blocks(); ++b) kinds[b] |= coarser.kinds(j, k)[b];
+  for_mixed_runs(kinds.data(), finer.blocks(), [&](int begin, int end) {
+    for (int x = begin; x < end; x += kScanned) {
+      const int stop = std::min(end, x + kScanned);
+      if (largest_difference(finer.row(j, k), coarser.row(j, k), octave.factor, x, stop) < least) continue;
+      for (int i = std::max(1, x); i < std::min(stop, octave.frame().size[0] - 1); ++i) {
+        if (octave.at(level, i, j, k) >= least && is_peak(octave, level, i, j, k)) peaks.push_back({level, {i, j, k}});
+      }
     }
-  }
+  });
 }
 
 // The peaks of the octave's new slices; slices on the border have no neighbours beyond.
 std::vector<Peak> find_peaks(const Octave& octave, double threshold) {
   const int first = std::max(1, octave.first), end = std::min(octave.end, octave.frame().size[2] - 1);
-  const int levels = static_cast<int>(octave.levels.size()) - 2;
+  const int levels = octave.levels() - 2;
   std::vector<std::vector<Peak>> found(static_cast<std::size_t>(std::max(0, end - first)) * levels);
   parallel_for(found.size(), [&](std::size_t n) {
     const int level = static_cast<int>(n) % levels + 1, k = first + static_cast<int>(n) / levels;

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <utility>
 
-#include "homolog/base/parallel.h"
 #include "homolog/salient/growing_octave.h"
 
 namespace homolog {
@@ -21,7 +21,11 @@ struct VoxelBox {
   std::array<int, 3> low, high;  // inclusive
 };
 
-// The nonzero part of a row.
+// The nonzero part of a row: [low, high).
+struct Run {
+  int low = 0, high = 0;
+  bool empty() const { return low >= high; }
+};
 Run nonzero_run(const float* row, int count) {
   int low = 0, high = count;
   while (low < high && row[low] == 0) ++low;
@@ -59,54 +63,40 @@ GridFrame frame_around(const GridFrame& source, const VoxelBox& box, int step, i
   return frame;
 }
 
-// Slice k of the padded coverage: voxel v of it is voxel v + shift of the interior.
-void copy_coverage(const Interior& interior, const std::array<int, 3>& shift, int k, RollingVolume& padded) {
-  for (int j = 0; j < padded.frame().size[1]; ++j) {
-    const int y = j + shift[1], z = k + shift[2];
-    const bool known = y >= 0 && z >= 0 && y < interior.frame.size[1] && z < interior.frame.size[2];
-    const float* row = known ? &interior.at(0, y, z) : nullptr;
-    const Run run = known ? nonzero_run(row, interior.frame.size[0]) : Run{};
-    float* copy = padded.begin_row(j, k, run.empty() ? Run{} : Run{run.low - shift[0], run.high - shift[0]});
-    if (!run.empty()) std::copy(row + run.low, row + run.high, copy + run.low - shift[0]);
-  }
+// Row j of slice k of the padded coverage: voxel v of it is voxel v + shift of the interior.
+void copy_coverage(const Interior& interior, const std::array<int, 3>& shift, int j, int k, RollingVolume& padded) {
+  const auto& size = interior.frame.size;
+  const int y = j + shift[1], z = k + shift[2];
+  const bool known = y >= 0 && z >= 0 && y < size[1] && z < size[2];
+  float* copy = padded.begin_row(j, k, std::vector<std::uint8_t>(padded.blocks(), known ? mixed_block : empty_block).data());
+  if (!known) return;
+  const int low = std::max(0, shift[0]), high = std::min(size[0], padded.frame().size[0] + shift[0]);
+  std::fill(copy, copy + low - shift[0], 0.0f);
+  std::copy(&interior.at(low, y, z), &interior.at(low, y, z) + high - low, copy + low - shift[0]);
+  std::fill(copy + high - shift[0], copy + padded.blocks() * row_block, 0.0f);
+  padded.end_row(j, k);
 }
 
-// The lowest level of the first octave.
-class BlurredCoverage {
- public:
-  BlurredCoverage(const Interior& interior, const std::array<int, 3>& shift, const GridFrame& frame, double sigma)
-      : interior_(interior), shift_(shift), padded_(frame, growth_step), blur_(frame, sigma, growth_step) {}
-
-  // Makes the next slices after the first `made`; returns how many there are then.
-  int make(int made, RollingVolume& level) {
-    while (blur_.ready() <= made) {
-      const int first = blur_.taken(), end = std::min(first + growth_step, level.frame().size[2]);
-      parallel_for(static_cast<std::size_t>(end - first),
-                   [&](std::size_t k) { copy_coverage(interior_, shift_, first + static_cast<int>(k), padded_); });
-      blur_.take(padded_, end);
-    }
-    const int end = std::min(blur_.ready(), made + growth_step);
-    blur_.give(made, end, level, [](int, int) {});
-    return end;
+// A volume held as a whole.
+RollingVolume empty_volume(const GridFrame& frame, float plateau) {
+  RollingVolume volume(frame, frame.size[2], plateau);
+  const std::vector<std::uint8_t> kinds(volume.blocks(), empty_block);
+  for (int k = 0; k < frame.size[2]; ++k) {
+    for (int j = 0; j < frame.size[1]; ++j) volume.begin_row(j, k, kinds.data());
   }
-
- private:
-  const Interior& interior_;
-  std::array<int, 3> shift_;
-  RollingVolume padded_;
-  RollingBlur blur_;
-};
+  return volume;
+}
 
 // Row j of slice k of a level, if it belongs to the next octave: that has every second voxel, from voxel -margin on.
 void halve_row(const RollingVolume& level, int j, int k, int margin, RollingVolume& next) {
   const auto& size = next.frame().size;
   if ((j + margin) % 2 != 0 || (k + margin) % 2 != 0 || (j + margin) / 2 >= size[1] || (k + margin) / 2 >= size[2]) return;
-  const Run& run = level.run(j, k);
-  const Run halved{(run.low + margin + 1) / 2, std::min(size[0], (run.high - 1 + margin) / 2 + 1)};
-  float* target = next.begin_row((j + margin) / 2, (k + margin) / 2, run.empty() ? Run{} : halved);
-  if (run.empty()) return;
+  const int y = (j + margin) / 2, z = (k + margin) / 2, first = (margin + 1) / 2;
+  const int end = std::min(size[0], (level.frame().size[0] - 1 + margin) / 2 + 1);
+  float* target = next.begin_row(y, z, std::vector<std::uint8_t>(next.blocks(), mixed_block).data());
   const float* row = level.row(j, k);
-  for (int i = halved.low; i < halved.high; ++i) target[i] = row[2 * i - margin];
+  for (int i = first; i < end; ++i) target[i] = row[2 * i - margin];
+  next.end_row(y, z);
 }
 
 }  // namespace
@@ -129,16 +119,14 @@ void for_each_octave(const Interior& interior, const SalientParams& params, int 
   const double largest_sigma = interior.frame.spacing * extent.norm() / 2 / radius_factor(k);
 
   GridFrame frame = frame_around(interior.frame, box, 1, margin);
-  BlurredCoverage coverage(interior, {box.low[0] - margin, box.low[1] - margin, box.low[2] - margin}, frame,
-                           std::sqrt(std::max(sigma0 * sigma0 - coverage_variance, 0.25)));
+  const std::array<int, 3> shift{box.low[0] - margin, box.low[1] - margin, box.low[2] - margin};
   std::optional<RollingVolume> lowest;
   while (true) {
     for (int axis = 0; axis < 3; ++axis) box.low[axis] = margin, box.high[axis] = frame.size[axis] - 1 - margin;
     const GridFrame next_frame = frame_around(frame, box, 2, margin);
-    RollingVolume next(next_frame, next_frame.size[2]);
-    GrowingOctave octave(frame, params, reach);
-    if (lowest) octave.begin_with(std::move(*lowest));
-    octave.grow([&](int made, RollingVolume& level) { return coverage.make(made, level); },
+    GrowingOctave octave(frame, params, reach, std::move(lowest));
+    RollingVolume next = empty_volume(next_frame, octave.doubled_plateau());
+    octave.grow([&](RollingVolume& coverage, int row, int slice) { copy_coverage(interior, shift, row, slice, coverage); },
                 [&](const RollingVolume& level, int row, int slice) { halve_row(level, row, slice, margin, next); }, visit);
     if (sigma0 * std::pow(k, params.levels_per_octave + 0.5) * frame.spacing > largest_sigma) return;
     lowest = std::move(next);

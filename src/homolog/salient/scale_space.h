@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "homolog/base/parameters.h"
@@ -16,15 +17,18 @@ namespace homolog {
 /// A voxel of coverage has already been averaged over a box: its variance, in voxels squared.
 inline constexpr double coverage_variance = 1.0 / 12;
 
-/// One octave of S + 2 levels on one grid, L_norm as a share of a ball's: levels[i] = (G(k s_i) - G(s_i)) * chi / ln k / ball_response(k)
+/// One octave of S + 2 levels on one grid, L_norm as a share of a ball's: level i is (G(k s_i) - G(s_i)) * chi / ln k / ball_response(k)
 /// at sigmas[i] = s_i sqrt(k), in world units. Minima of L_norm are maxima here. Levels 1 to S belong to this octave; level 0 repeats
 /// the octave below and level S + 1 begins the one above. It is never there as a whole: see for_each_octave.
 struct Octave {
-  std::vector<RollingVolume> levels;
+  std::span<const RollingVolume> blurred;  ///< G(s_i) * chi; one more than levels
+  float factor = 0;                        ///< of a level: -1 / (ln k ball_response(k))
   std::vector<double> sigmas;
   int first = 0, end = 0;  ///< the slices first <= k < end are new
 
-  const GridFrame& frame() const { return levels[0].frame(); }
+  const GridFrame& frame() const { return blurred[0].frame(); }
+  int levels() const { return static_cast<int>(blurred.size()) - 1; }
+  float at(int level, int i, int j, int k) const { return factor * (blurred[level].row(j, k)[i] - blurred[level + 1].row(j, k)[i]); }
 };
 
 /// (G(k s) - G(s)) * chi / ln k in the centre of a unit ball, read at sigma = s sqrt(k); tends to -sqrt(2/pi) sigma^-3 exp(-1/(2 sigma^2)).
