@@ -6,6 +6,7 @@
 #include <queue>
 
 #include "homolog/base/parallel.h"
+#include "homolog/describe/all_ways.h"
 
 namespace homolog {
 namespace {
@@ -59,15 +60,6 @@ void join_nodes(const Interior& interior, Body& body) {
   }
 }
 
-void find_ways(Body& body) {
-  const auto count = static_cast<Eigen::Index>(body.nodes.size());
-  body.ways.resize(count, count);
-  parallel_for(body.nodes.size(), [&](std::size_t node) {
-    const std::vector<double> ways = shortest_ways(body, {static_cast<int>(node)});
-    body.ways.col(static_cast<Eigen::Index>(node)) = Eigen::VectorXd::Map(ways.data(), count);
-  });
-}
-
 }  // namespace
 
 bool neighbours_on_skin(const Body& body, int a, int b) {
@@ -90,7 +82,7 @@ Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samp
     body.normals.emplace_back(Vec3::Zero());
   }
   join_nodes(interior, body);
-  find_ways(body);
+  body.ways = all_ways(body);
   return body;
 }
 
@@ -120,9 +112,11 @@ Eigen::MatrixXd inner_distances(const Body& body, const Interior& interior) {
   const std::size_t count = body.nodes.size() - body.surface_count;
   Eigen::MatrixXd distances(count, count);
   parallel_for(count, [&](std::size_t i) {
-    for (std::size_t j = 0; j < count; ++j) {
-      const Vec3 &a = body.nodes[body.point_node(std::min(i, j))], &b = body.nodes[body.point_node(std::max(i, j))];
-      distances(i, j) = runs_inside(interior, a, b) ? (a - b).norm() : body.ways(body.point_node(i), body.point_node(j));
+    for (std::size_t j = i; j < count; ++j) {
+      const std::size_t a = body.point_node(i), b = body.point_node(j);
+      const bool straight = runs_inside(interior, body.nodes[a], body.nodes[b]);
+      distances(i, j) = straight ? (body.nodes[a] - body.nodes[b]).norm() : body.ways(a, b);
+      distances(j, i) = straight ? distances(i, j) : body.ways(b, a);
     }
   });
   return distances;

@@ -22,11 +22,18 @@ Interior halve(const Interior& fine) {
   coarse.frame.origin = fine.frame.world_from_voxel(Vec3::Constant(0.5));
   coarse.frame.axes = fine.frame.axes;
   coarse.values.assign(coarse.frame.voxels(), 0);
-  for (int k = 0; k < fine.frame.size[2]; ++k) {
-    for (int j = 0; j < fine.frame.size[1]; ++j) {
-      for (int i = 0; i < fine.frame.size[0]; ++i) coarse.at(i / 2, j / 2, k / 2) += fine.at(i, j, k) / 8;
+  const int pairs = fine.frame.size[0] / 2, odd = fine.frame.size[0] % 2;
+  parallel_for(coarse.frame.size[2], [&](std::size_t layer) {
+    const int first = 2 * static_cast<int>(layer);
+    for (int k = first; k < std::min(first + 2, fine.frame.size[2]); ++k) {
+      for (int j = 0; j < fine.frame.size[1]; ++j) {
+        const float* row = &fine.at(0, j, k);
+        float* sums = &coarse.at(0, j / 2, k / 2);
+        for (int i = 0; i < pairs; ++i) sums[i] = sums[i] + row[2 * i] / 8 + row[2 * i + 1] / 8;
+        if (odd) sums[pairs] += row[2 * pairs] / 8;
+      }
     }
-  }
+  });
   return coarse;
 }
 

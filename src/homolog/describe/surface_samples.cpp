@@ -8,6 +8,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/farthest_points.h"
+#include "homolog/shape/nearest_points.h"
 
 namespace homolog {
 namespace {
@@ -137,14 +138,9 @@ std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples) {
 
 double typical_spacing(const std::vector<Vec3>& places) {
   if (places.size() < 2) return 0;
-  std::vector<double> squares(places.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t j = i + 1; j < places.size(); ++j) {
-      const double square = (places[i] - places[j]).squaredNorm();
-      squares[i] = std::min(squares[i], square);
-      squares[j] = std::min(squares[j], square);
-    }
-  }
+  const NearestPoints nearest(places);
+  std::vector<double> squares(places.size());
+  parallel_for(places.size(), [&](std::size_t i) { squares[i] = nearest.nearest(places[i], 2)[1].square_distance; });
   const auto middle = squares.begin() + static_cast<std::ptrdiff_t>(squares.size() / 2);
   std::nth_element(squares.begin(), middle, squares.end());
   return std::sqrt(*middle);

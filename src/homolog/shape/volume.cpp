@@ -1,16 +1,23 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/volume.h"
 
-#include <cmath>
-
 namespace homolog {
+namespace {
+
+/// std::floor() is a call where the processor may be an old one. For what fits into a number.
+int floor_of(double x) {
+  const int towards_zero = static_cast<int>(x);
+  return towards_zero - (x < towards_zero ? 1 : 0);
+}
+
+}  // namespace
 
 float sample(const Volume<float>& volume, const Vec3& world) {
   const Vec3 v = volume.frame.voxel_from_world(world);
   for (int axis = 0; axis < 3; ++axis) {
     if (!(v[axis] > -1 && v[axis] < volume.frame.size[axis])) return 0;  // also keeps the cast below defined, NaN included
   }
-  const int i = static_cast<int>(std::floor(v.x())), j = static_cast<int>(std::floor(v.y())), k = static_cast<int>(std::floor(v.z()));
+  const int i = floor_of(v.x()), j = floor_of(v.y()), k = floor_of(v.z());
   const double fx = v.x() - i, fy = v.y() - j, fz = v.z() - k;
   const double x[2] = {1 - fx, fx}, y[2] = {1 - fy, fy}, z[2] = {1 - fz, fz};
   double sum = 0;
