@@ -3,6 +3,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 
 namespace homolog {
@@ -39,14 +40,16 @@ Mat3 second_moments(const Mesh& mesh, const Vec3& middle) {
   return moments;
 }
 
-// Integral of the cube of the coordinate along an axis.
-double third_moment(const Mesh& mesh, const Vec3& middle, const Vec3& axis) {
-  double moment = 0;
+// Integrals of the cubes of the coordinates along the first two axes.
+std::array<double, 2> third_moments(const Mesh& mesh, const Vec3& middle, const Mat3& axes) {
+  std::array<double, 2> moments{};
   visit_triangles(mesh, middle, [&](const Corners& at, double area) {
-    const double a = at.a.dot(axis), b = at.b.dot(axis), c = at.c.dot(axis);
-    moment += area / 10 * (a * a * a + b * b * b + c * c * c + (a + b) * a * b + (b + c) * b * c + (c + a) * c * a + a * b * c);
+    for (int k = 0; k < 2; ++k) {
+      const double a = at.a.dot(axes.col(k)), b = at.b.dot(axes.col(k)), c = at.c.dot(axes.col(k));
+      moments[k] += area / 10 * (a * a * a + b * b * b + c * c * c + (a + b) * a * b + (b + c) * b * c + (c + a) * c * a + a * b * c);
+    }
   });
-  return moment;
+  return moments;
 }
 
 }  // namespace
@@ -58,8 +61,9 @@ Mat3 principal_axes(const Mesh& mesh) {
   const double largest = moments.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest)) return Mat3::Identity();
   Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(moments / largest).eigenvectors().rowwise().reverse();
+  const std::array<double, 2> skew = third_moments(mesh, middle, axes);
   for (int k = 0; k < 2; ++k) {
-    if (third_moment(mesh, middle, axes.col(k)) < 0) axes.col(k) *= -1;
+    if (skew[k] < 0) axes.col(k) *= -1;
   }
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 
 #include "homolog/base/widest_clone.h"
 #include "homolog/shape/row_cuts.h"
@@ -11,9 +12,14 @@
 namespace homolog {
 namespace {
 
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+constexpr std::int32_t none = -1;
 constexpr double depth_steps = 65536;  // a voxel; as many as a whole ray weighs
+constexpr int rays_at_once = 8;
 constexpr std::size_t row_block = 16;  // rows are as long as vectors that fit
+
+using EightInts [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+
+[[gnu::always_inline]] inline EightInts& eight_of(std::int32_t* p) { return *reinterpret_cast<EightInts*>(p); }
 
 static_assert(rays_per_voxel == 4, "cut_rows() cuts the rows of a layer");
 
@@ -25,7 +31,7 @@ RayPlaces place_rays(int voxels, double part_min, double part_max) {
     places.middle.push_back(low < high ? (low + high) / 2 : (cell_min + cell_max) / 2);
     places.width.push_back(std::max(0.0, (high - low) * rays_per_voxel));
   }
-  places.middle.push_back(std::numeric_limits<double>::infinity());
+  places.middle.insert(places.middle.end(), rays_at_once, std::numeric_limits<double>::infinity());
   return places;
 }
 
@@ -58,6 +64,43 @@ void sort_into_layers(const GridSurface& surface, RayBundle& bundle) {
   }
 }
 
+/// One row of a triangle: the depth there as a linear function of the column.
+struct DepthOnRow {
+  double column, inverse_length, depth, way;
+  int downward;
+};
+
+/// Crossings of a layer, many at once: those beyond the end of a row are written, too, but not kept.
+struct Crossings {
+  std::int32_t count;
+  EightDoubles least_depth, most_depth;
+  const double* columns;
+  std::vector<std::int32_t>&places, &next;
+
+  void make_room(std::size_t more) {
+    if (places.size() >= count + more) return;
+    places.resize(2 * count + more);
+    next.resize(places.size());
+  }
+
+  /// Of the rays [ray, end) of a row, whose first crossings are given.
+  [[gnu::always_inline]] void add(const DepthOnRow& row, int ray, int end, std::int32_t* first) {
+    constexpr EightInts eight{0, 1, 2, 3, 4, 5, 6, 7};
+    do {
+      const EightDoubles share = (*reinterpret_cast<const EightDoubles*>(columns + ray) - row.column) * row.inverse_length;
+      const EightDoubles depth = row.depth + (share < 1 ? share : 1 + EightDoubles{}) * row.way;
+      const EightDoubles deep_enough = depth > least_depth ? depth : least_depth;
+      const EightInts steps = __builtin_convertvector((deep_enough < most_depth ? deep_enough : most_depth) + 0.5, EightInts);
+      EightInts& before = eight_of(first + ray);
+      eight_of(places.data() + count) = 2 * steps + row.downward;
+      eight_of(next.data() + count) = before;
+      before = eight < end - ray ? count + eight : before;
+      count += std::clamp(end - ray, 0, rays_at_once);
+      ray += rays_at_once;
+    } while (ray < end);
+  }
+};
+
 std::int32_t weight_of_ray(const RayBundle& bundle, std::size_t row, std::size_t column) {
   return static_cast<std::int32_t>(depth_steps * bundle.rows.width[row] * bundle.columns.width[column] + 0.5);
 }
@@ -88,7 +131,7 @@ RayBundle make_bundle(const GridSurface& surface, int axis) {
 }
 
 LayerRays::LayerRays(const GridSurface& surface, const RayBundle& bundle)
-    : surface_(surface), bundle_(bundle), first_(rays_per_voxel * bundle.columns.width.size(), none) {}
+    : surface_(surface), bundle_(bundle), first_(rays_per_voxel * bundle.columns.width.size() + rays_at_once, none) {}
 
 Layer LayerRays::empty_layer() const {
   const RayAxes& axes = bundle_.axes;
@@ -104,54 +147,47 @@ HOMOLOG_WIDEST_CLONE void LayerRays::find_crossings(int number) {
   const std::size_t rays = bundle_.columns.width.size();
   const double* rows = bundle_.rows.middle.data() + static_cast<std::ptrdiff_t>(number) * rays_per_voxel;
   const FourDoubles four_rows{rows[0], rows[1], rows[2], rows[3]};
-  const double least_depth = depth_steps * surface_.part.min[axes.depth], most_depth = depth_steps * surface_.part.max[axes.depth];
-  std::uint32_t count = 0;
+  const double least = depth_steps * surface_.part.min[axes.depth], most = depth_steps * surface_.part.max[axes.depth];
+  Crossings crossings{0, least + EightDoubles{}, most + EightDoubles{}, columns, places_, next_};
   for (std::uint32_t n = bundle_.begin[number]; n < bundle_.begin[number + 1]; ++n) {
     const auto& [a, b, c] = surface_.triangles[bundle_.numbers[n]];
     const RowCuts cuts = cut_rows(surface_.vertices[a], surface_.vertices[b], surface_.vertices[c], axes, four_rows);
-    const FourInts first_cell = cells_of(cuts.from, rays), last_cell = cells_of(cuts.to, rays);
-    const FourDoubles depth_from = depth_steps * cuts.depth_from, way = depth_steps * (cuts.depth_to - cuts.depth_from);
+    const FourInts from = cells_of(cuts.from, rays), to = cells_of(cuts.to, rays);
+    const FourDoubles depth = depth_steps * cuts.depth_from, way = depth_steps * (cuts.depth_to - cuts.depth_from);
     const FourDoubles inverse = 1 / (cuts.to - cuts.from);
-    if (crossings_.size() < count + rays_per_voxel * rays) crossings_.resize(2 * count + rays_per_voxel * rays);
+    crossings.make_room(rays_per_voxel * (rays + rays_at_once));
     for (int r = 0; r < rays_per_voxel; ++r) {
-      std::uint32_t* const row = first_.data() + r * rays;
-      const int end = last_cell[r] + (columns[last_cell[r]] < cuts.to[r] ? 1 : 0);
-      for (int ray = first_cell[r] + (columns[first_cell[r]] < cuts.from[r] ? 1 : 0); ray < end; ++ray) {
-        const double share = std::min(1.0, (columns[ray] - cuts.from[r]) * inverse[r]);
-        const double depth = std::min(most_depth, std::max(least_depth, depth_from[r] + share * way[r]));
-        crossings_[count] = {static_cast<std::uint32_t>(static_cast<std::int64_t>(depth + 0.5)) << 1 | (cuts.downward[r] ? 1u : 0u),
-                             row[ray]};
-        row[ray] = count++;
-      }
+      const int first = from[r] + (columns[from[r]] < cuts.from[r] ? 1 : 0), end = to[r] + (columns[to[r]] < cuts.to[r] ? 1 : 0);
+      crossings.add({cuts.from[r], inverse[r], depth[r], way[r], cuts.downward[r] ? 1 : 0}, first, end, first_.data() + r * rays);
     }
   }
 }
 
-void LayerRays::add_ray(std::uint32_t first, std::int32_t weight, std::size_t column, Layer& layer) {
-  places_.clear();
+void LayerRays::add_ray(std::int32_t first, std::int32_t weight, std::size_t column, Layer& layer) {
+  of_ray_.clear();
   int winding = 0;
-  for (std::uint32_t crossing = first; crossing != none; crossing = crossings_[crossing].next) {
-    places_.push_back(crossings_[crossing].place);
-    winding += crossings_[crossing].place & 1 ? -1 : 1;
+  for (std::int32_t crossing = first; crossing != none; crossing = next_[crossing]) {
+    of_ray_.push_back(places_[crossing]);
+    winding += places_[crossing] & 1 ? -1 : 1;
   }
   if (winding != 0) {
     layer.lost[column] += static_cast<float>(weight);
     layer.any_lost = true;
     return;
   }
-  if (places_.size() > 2) {
-    std::sort(places_.begin(), places_.end());
-  } else if (places_[1] < places_[0]) {
-    std::swap(places_[0], places_[1]);
+  if (of_ray_.size() == 2) {
+    std::tie(of_ray_[0], of_ray_[1]) = std::pair(std::min(of_ray_[0], of_ray_[1]), std::max(of_ray_[0], of_ray_[1]));
+  } else {
+    std::sort(of_ray_.begin(), of_ray_.end());
   }
   const std::size_t depth_stride = bundle_.axes.depth == 0 ? 1 : layer.stride;
   std::int32_t* line = layer.differences.data() + column * (bundle_.axes.depth == 0 ? layer.stride : 1);
-  for (const std::uint32_t place : places_) {
+  for (const std::int32_t place : of_ray_) {
     const bool inside = winding != 0;
     winding += place & 1 ? -1 : 1;
     if ((winding != 0) == inside) continue;
     const auto beyond = static_cast<std::int32_t>((static_cast<std::int64_t>(weight) * (place >> 1 & 0xffff) + 0x8000) >> 16);
-    std::int32_t* voxel = line + (place >> 17) * depth_stride;
+    std::int32_t* voxel = line + (place >> 17) * static_cast<std::ptrdiff_t>(depth_stride);
     voxel[0] += inside ? beyond - weight : weight - beyond;
     voxel[depth_stride] += inside ? -beyond : beyond;
   }
@@ -165,7 +201,7 @@ void LayerRays::follow(int number, Layer& layer) {
   const std::size_t rays = bundle_.columns.width.size();
   for (std::size_t r = 0; r < rays_per_voxel; ++r) {
     for (std::size_t ray = 0; ray < rays; ++ray) {
-      std::uint32_t& first = first_[r * rays + ray];
+      std::int32_t& first = first_[r * rays + ray];
       if (first == none) continue;
       const std::int32_t weight = weight_of_ray(bundle_, number * rays_per_voxel + r, ray);
       if (weight > 0) add_ray(first, weight, ray / rays_per_voxel, layer);

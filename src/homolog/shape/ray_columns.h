@@ -29,7 +29,7 @@ inline constexpr int full_coverage = rays_per_voxel * rays_per_voxel << 16;
 
 /// The rays' places along one direction across them: the middles of the voxels' shares that lie in the part, and how wide these are.
 struct RayPlaces {
-  std::vector<double> middle;  ///< an infinite one behind the last
+  std::vector<double> middle;  ///< behind the last, infinite ones
   std::vector<double> width;   ///< 1 when wholly in the part, 0 when outside
 };
 
@@ -65,18 +65,15 @@ class LayerRays {
   Layer empty_layer() const;
 
  private:
-  struct Crossing {
-    std::uint32_t place;  ///< depth in 1 / 65536 voxel, twice, and one more where the ray leaves
-    std::uint32_t next;   ///< of the same ray
-  };
   void find_crossings(int number);
-  void add_ray(std::uint32_t first, std::int32_t weight, std::size_t column, Layer& layer);
+  void add_ray(std::int32_t first, std::int32_t weight, std::size_t column, Layer& layer);
 
   const GridSurface& surface_;
   const RayBundle& bundle_;
-  std::vector<std::uint32_t> first_;  ///< crossing of each ray, row by row
-  std::vector<Crossing> crossings_;
-  std::vector<std::uint32_t> places_;  ///< of one ray
+  std::vector<std::int32_t> first_;   ///< crossing of each ray, row by row
+  std::vector<std::int32_t> places_;  ///< of all crossings: depth in 1 / 65536 voxel, twice, and one more where the ray leaves
+  std::vector<std::int32_t> next_;    ///< crossing of the same ray
+  std::vector<std::int32_t> of_ray_;  ///< places of one ray's crossings
 };
 
 }  // namespace homolog

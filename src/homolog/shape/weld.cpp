@@ -1,23 +1,34 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/weld.h"
 
-#include <algorithm>
-#include <numeric>
+#include <bit>
+#include <limits>
 
 namespace homolog {
 
+namespace {
+
+constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
+
+/// Spreads positions over a table; 0 and -0 are the same.
+std::uint64_t hash_of(const Vec3& place) {
+  std::uint64_t hash = 0;
+  for (int axis = 0; axis < 3; ++axis) {
+    hash = (hash ^ std::bit_cast<std::uint64_t>(place[axis] + 0.0)) * 0x9e3779b97f4a7c15u;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+}  // namespace
+
 std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices) {
-  std::vector<std::uint32_t> order(vertices.size()), first(vertices.size());
-  std::iota(order.begin(), order.end(), 0u);
-  std::sort(order.begin(), order.end(), [&](std::uint32_t a, std::uint32_t b) {
-    for (int axis = 0; axis < 3; ++axis) {
-      if (vertices[a][axis] != vertices[b][axis]) return vertices[a][axis] < vertices[b][axis];
-    }
-    return a < b;
-  });
-  for (std::size_t i = 0; i < order.size(); ++i) {
-    const bool again = i > 0 && vertices[order[i]] == vertices[order[i - 1]];
-    first[order[i]] = again ? first[order[i - 1]] : order[i];
+  std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), none), first(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    std::size_t slot = hash_of(vertices[i]) & (table.size() - 1);
+    while (table[slot] != none && vertices[table[slot]] != vertices[i]) slot = (slot + 1) & (table.size() - 1);
+    if (table[slot] == none) table[slot] = i;
+    first[i] = table[slot];
   }
   return first;
 }
