@@ -10,19 +10,13 @@
 namespace homolog {
 namespace {
 
-constexpr int kPartRows = 96;  // of a level, about: so many that the sums along z which two parts share are few
+constexpr int kBandRows = 64;  // what one thread does at a time, about: so many that the sums along z which two bands share are few
 
-// The most slices by which a volume is ahead of what is blurred from it, and how many of it are held for that.
-int lead_before(const GaussianBlur& blur) { return (blur.radius() + 2 * row_group - 1) / row_group * row_group; }
+// The most slices by which a volume is ahead of what is blurred from it after a round, and how many of it are held for that.
+int lead_before(const GaussianBlur& blur) { return (blur.radius() + row_group - 1) / row_group * row_group; }
 int held_for_blur(const GaussianBlur& blur) { return lead_before(blur) + row_group + blur.radius(); }
 
 }  // namespace
-
-// What one thread does at a time: a band of rows of the next slices of a volume.
-struct GrowingOctave::Part {
-  std::size_t volume;
-  int first_row, end_row;
-};
 
 GrowingOctave::GrowingOctave(const GridFrame& frame, const SalientParams& params, int reach, std::optional<RollingVolume> lowest)
     : reach_(reach) {
@@ -54,44 +48,35 @@ void GrowingOctave::add_volume(std::size_t i) {
                         blurs_[i].plateau_after(volumes_[i].plateau()));
 }
 
-// Whatever can grow from the slices that there are; the parts do not need each other.
-std::vector<GrowingOctave::Part> GrowingOctave::next_parts() const {
-  const int slices = octave_.frame().size[2], rows = octave_.frame().size[1];
-  const int bands = std::max(1, (rows + kPartRows / 2) / kPartRows), groups = (rows + row_group - 1) / row_group;
-  const int part_rows = (groups + bands - 1) / bands * row_group;
-  std::vector<Part> parts;
-  for (std::size_t i = made_.size(); i-- > 0;) {
-    const int needed = i == 0 ? 0 : std::min(slices, made_[i] + row_group + blurs_[i - 1].radius());
-    if (made_[i] == slices || (i > 0 && made_[i - 1] < needed)) continue;
-    for (int row = 0; row < rows; row += part_rows) parts.push_back({i, row, std::min(rows, row + part_rows)});
-  }
-  return parts;
+bool GrowingOctave::can_grow(std::size_t i) const {
+  const int slices = octave_.frame().size[2];
+  return made_[i] < slices && (i == 0 || made_[i - 1] >= std::min(slices, made_[i] + row_group + blurs_[i - 1].radius()));
 }
 
-void GrowingOctave::grow_part(const Part& part, const MakeRow& make_coverage, const TakeRow& take_row) {
-  RollingVolume& volume = volumes_[part.volume];
-  const int first = made_[part.volume];
-  if (part.volume == 0) {
-    for (int k = first; k < std::min(octave_.frame().size[2], first + row_group); ++k) {
-      for (int j = part.first_row; j < part.end_row; ++j) make_coverage(volume, j, k);
+// Makes the rows first_row <= j < end_row of the next slices of a volume.
+void GrowingOctave::grow_band(std::size_t i, int first_row, int end_row, const MakeRow& make_coverage, const TakeRow& take_row) {
+  RollingVolume& volume = volumes_[i];
+  if (i == 0) {
+    for (int k = made_[0]; k < std::min(octave_.frame().size[2], made_[0] + row_group); ++k) {
+      for (int j = first_row; j < end_row; ++j) make_coverage(volume, j, k);
     }
     return;
   }
-  const bool doubled = part.volume + 3 == volumes_.size();
-  blurs_[part.volume - 1].blur_rows(volumes_[part.volume - 1], first, part.first_row, part.end_row, volume, [&](int j, int k) {
+  const bool doubled = i + 3 == volumes_.size();
+  blurs_[i - 1].blur_rows(volumes_[i - 1], made_[i], first_row, end_row, volume, [&](int j, int k) {
     if (doubled) take_row(volume, j, k);
   });
 }
 
 void GrowingOctave::grow(const MakeRow& make_coverage, const TakeRow& take_row, const std::function<void(const Octave&)>& visit) {
-  const int slices = octave_.frame().size[2];
+  const int slices = octave_.frame().size[2], rows = octave_.frame().size[1];
+  const int groups = (rows + row_group - 1) / row_group, bands = (rows + kBandRows - 1) / kBandRows;
+  const auto band_begin = [&](std::size_t band) { return std::min(rows, static_cast<int>(band) * groups / bands * row_group); };
   while (octave_.end < slices) {
-    const std::vector<Part> parts = next_parts();
-    parallel_for(parts.size(), [&](std::size_t n) { grow_part(parts[n], make_coverage, take_row); });
-    std::vector<bool> grown(made_.size());
-    for (const Part& part : parts) grown[part.volume] = true;
-    for (std::size_t i = 0; i < made_.size(); ++i) {
-      if (grown[i]) made_[i] = std::min(slices, made_[i] + row_group);
+    for (std::size_t i = 0; i < volumes_.size(); ++i) {
+      if (!can_grow(i)) continue;
+      parallel_for(bands, [&](std::size_t n) { grow_band(i, band_begin(n), band_begin(n + 1), make_coverage, take_row); });
+      made_[i] = std::min(slices, made_[i] + row_group);
     }
     octave_.first = octave_.end;
     octave_.end = made_.back() == slices ? slices : std::max(0, made_.back() - reach_);

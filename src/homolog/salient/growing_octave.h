@@ -30,10 +30,9 @@ class GrowingOctave {
   float doubled_plateau() const { return volumes_[volumes_.size() - 3].plateau(); }
 
  private:
-  struct Part;
   void add_volume(std::size_t i);
-  std::vector<Part> next_parts() const;
-  void grow_part(const Part& part, const MakeRow& make_coverage, const TakeRow& take_row);
+  bool can_grow(std::size_t i) const;
+  void grow_band(std::size_t i, int first_row, int end_row, const MakeRow& make_coverage, const TakeRow& take_row);
 
   std::vector<GaussianBlur> blurs_;     // blurs_[i] makes volume i + 1 from volume i
   std::vector<RollingVolume> volumes_;  // coverage, if the lowest level is made from it, and all levels
