@@ -47,7 +47,9 @@ std::vector<Eigen::Vector3f> surface_voxels(const Interior& interior) {
     }
   }
   const std::size_t chosen = std::min(crowd, all.size());
-  std::partial_sort(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(chosen), all.end());
+  const auto end = all.begin() + static_cast<std::ptrdiff_t>(chosen);
+  if (end != all.end()) std::nth_element(all.begin(), end, all.end());
+  std::sort(all.begin(), end);
   std::vector<Eigen::Vector3f> voxels;
   for (std::size_t n = 0; n < chosen; ++n) voxels.emplace_back(all[n].i, all[n].j, all[n].k);
   return voxels;
@@ -62,33 +64,35 @@ std::size_t outermost(const std::vector<Eigen::Vector3f>& voxels) {
   return static_cast<std::size_t>(std::max_element(voxels.begin(), voxels.end(), farther) - voxels.begin());
 }
 
-// Weights of a Gaussian of one voxel at 5 x 5 x 5 voxels around a place.
+// Weights of a Gaussian of one voxel at 5 x 5 x 5 voxels.
 struct GradientStencil {
-  std::array<Vec3, 125> offsets;
+  std::array<Eigen::Vector3i, 125> offsets;
   std::array<double, 125> weights;
   GradientStencil() {
     for (int n = 0; n < 125; ++n) {
-      offsets[n] = Vec3(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
+      offsets[n] = Eigen::Vector3i(n % 5 - 2, n / 5 % 5 - 2, n / 25 - 2);
       weights[n] = std::exp(-0.5 * offsets[n].squaredNorm());
     }
   }
 };
 
 // Gradient of the coverage blurred by one voxel: differences along the axes alone saturate and lean towards the grid's diagonals.
-Vec3 blurred_gradient(const Interior& interior, const Vec3& voxel_centre) {
+Vec3 blurred_gradient(const Interior& interior, const Eigen::Vector3i& voxel) {
   static const GradientStencil stencil;
   Vec3 gradient = Vec3::Zero();
   for (int n = 0; n < 125; ++n) {
-    const Vec3 offset = interior.frame.axes * stencil.offsets[n];
-    gradient += stencil.weights[n] * sample(interior, voxel_centre + interior.frame.spacing * offset) * offset;
+    const Eigen::Vector3i at = voxel + stencil.offsets[n];
+    if (!interior.frame.contains(at.x(), at.y(), at.z())) continue;
+    gradient += stencil.weights[n] * interior.at(at.x(), at.y(), at.z()) * stencil.offsets[n].cast<double>();
   }
-  return gradient;
+  return interior.frame.axes * gradient;
 }
 
 // The gradient, and the place on it where coverage falls to one half, interpolated between the steps.
-SurfaceSample settle(const Interior& interior, const Vec3& voxel_centre) {
+SurfaceSample settle(const Interior& interior, const Eigen::Vector3i& voxel) {
   const double h = interior.frame.spacing;
-  const Vec3 gradient = blurred_gradient(interior, voxel_centre);
+  const Vec3 voxel_centre = interior.frame.world_from_voxel(voxel.cast<double>());
+  const Vec3 gradient = blurred_gradient(interior, voxel);
   if (gradient.norm() < 1e-3) return {voxel_centre, Vec3::Zero()};
   const Vec3 normal = -gradient.normalized();
   double way = 0, before = 0, inside = 1;
@@ -121,8 +125,7 @@ std::vector<SurfaceSample> sample_surface(const Interior& interior, int count) {
       next = order.farthest();
     }
     std::vector<SurfaceSample> settled(batch.size());
-    parallel_for(batch.size(),
-                 [&](std::size_t n) { settled[n] = settle(interior, interior.frame.world_from_voxel(voxels[batch[n]].cast<double>())); });
+    parallel_for(batch.size(), [&](std::size_t n) { settled[n] = settle(interior, voxels[batch[n]].cast<int>()); });
     for (const SurfaceSample& sample : settled) {
       if (sample.normal.squaredNorm() > 0.5) samples.push_back(sample);
     }
