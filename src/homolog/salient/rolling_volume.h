@@ -45,7 +45,6 @@ class BlockRows {
 
 /// Adds what other blocks may hold.
 inline void join_kinds(const std::uint8_t* more, int blocks, std::uint8_t* kinds) {
-#pragma GCC ivdep
   for (int b = 0; b < blocks; ++b) kinds[b] |= more[b];
 }
 
