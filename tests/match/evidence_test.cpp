@@ -83,10 +83,11 @@ TEST(Evidence, MeritAndConfidenceRiseTogether) {
   same_ends.ends_missed = 0.02;
   for (const Evidence& better : {better_reach, less_turning, more_pairs, same_ways, as_thick, same_ends}) {
     EXPECT_GT(merit_of(better), merit_of(middling));
-    EXPECT_GT(confidence_of(better, Chirality::proper), confidence_of(middling, Chirality::proper));
+    EXPECT_GT(confidence_of(better, Chirality::proper, 1), confidence_of(middling, Chirality::proper, 1));
   }
-  EXPECT_GT(confidence_of({1, 1, 1, 0, 10, 0, 0, 0}, Chirality::proper), 0.9);
-  EXPECT_LT(confidence_of({}, Chirality::proper), 0.01);
+  EXPECT_GT(confidence_of({1, 1, 1, 0, 10, 0, 0, 0}, Chirality::proper, 1), 0.9);
+  EXPECT_LT(confidence_of({}, Chirality::proper, 1), 0.01);
+  EXPECT_LT(confidence_of(middling, Chirality::proper, 2), confidence_of(middling, Chirality::proper, 1));
 }
 
 TEST(Evidence, AMirroredMatchMustBeBetterToBeAsCredible) {
@@ -94,8 +95,8 @@ TEST(Evidence, AMirroredMatchMustBeBetterToBeAsCredible) {
   Evidence better = evidence;
   better.turning = 0;
   EXPECT_LT(rank_merit(evidence, Chirality::mirrored), rank_merit(evidence, Chirality::proper));
-  EXPECT_LT(confidence_of(evidence, Chirality::mirrored), confidence_of(evidence, Chirality::proper));
-  EXPECT_GT(confidence_of(better, Chirality::mirrored), confidence_of(evidence, Chirality::proper));
+  EXPECT_LT(confidence_of(evidence, Chirality::mirrored, 1), confidence_of(evidence, Chirality::proper, 1));
+  EXPECT_GT(confidence_of(better, Chirality::mirrored, 1), confidence_of(evidence, Chirality::proper, 1));
 }
 
 // A bar in a longer one: its ends are cuts, for the longer one goes on there. A bar beside it is not excused.

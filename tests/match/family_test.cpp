@@ -88,7 +88,10 @@ TEST(Family, AWorseWayToLayTheSamePartIsBelievedByTheOddsBetweenThem) {
   ASSERT_EQ(ways.size(), 2u);
   const double odds = std::exp(12 * (merit_of(ways[1].evidence) - merit_of(ways[0].evidence)));
   EXPECT_LT(odds, 0.5);
-  EXPECT_NEAR(ways[1].confidence, odds * confidence_of(ways[1].evidence, Chirality::mirrored), 1e-12);
+  const double mirror_odds =
+      std::exp(12 * (rank_merit(ways[1].evidence, Chirality::mirrored) - rank_merit(ways[0].evidence, Chirality::proper)));
+  EXPECT_NEAR(ways[0].confidence, confidence_of(ways[0].evidence, Chirality::proper, 1 + mirror_odds), 1e-12);
+  EXPECT_NEAR(ways[1].confidence, odds * confidence_of(ways[1].evidence, Chirality::mirrored, 1 + mirror_odds), 1e-12);
 }
 
 TEST(Family, AWayFarBehindOnTheSamePartIsGivenUpUnlessTheBetterOneMayNotBeTold) {
@@ -106,7 +109,7 @@ TEST(Family, AnotherCopyIsBelievedOnItsOwn) {
   const std::vector<Match> copies =
       make_family({start({}), start({1, Mat3::Identity(), {4, 0, 0}})}, beast(), two, coarse(), false).matches;
   ASSERT_EQ(copies.size(), 2u);
-  for (const Match& match : copies) EXPECT_NEAR(match.confidence, confidence_of(match.evidence, Chirality::proper), 1e-12);
+  for (const Match& match : copies) EXPECT_NEAR(match.confidence, confidence_of(match.evidence, Chirality::proper, 1), 1e-12);
 }
 
 TEST(Family, MirrorParameterLeavesOneChirality) {

@@ -31,7 +31,6 @@ TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
   ASSERT_EQ(refined.pairs.size(), described_hand().points.size());
   EXPECT_GT(refined.evidence.support, 0.8 * static_cast<double>(described_hand().points.size()));
   for (const Correspondence& c : refined.pairs) EXPECT_EQ(c.model, c.data);
-  EXPECT_EQ(refined.confidence, confidence_of(refined.evidence, Chirality::proper));
 }
 
 TEST(Refine, TheMatchTellsItsClothAsASpline) {

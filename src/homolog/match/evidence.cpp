@@ -12,6 +12,7 @@ namespace homolog {
 namespace {
 
 constexpr double near_share = 0.1;        // so near along the inside, data counts as the part the model should explain
+constexpr double enough_merit = 0.8;      // a smooth shape has more, be it laid rightly or not
 constexpr double mirror_handicap = 0.11;  // merit by which a mirrored match must be better to come first
 
 // Within a flat face, as a cut leaves one?
@@ -116,8 +117,9 @@ double rank_merit(const Evidence& evidence, Chirality chirality) {
   return merit_of(evidence) - (chirality == Chirality::mirrored ? mirror_handicap : 0);
 }
 
-double confidence_of(const Evidence& evidence, Chirality chirality) {
-  return 1 / (1 + std::exp(1.15 - 5.1 * rank_merit(evidence, chirality)));
+double confidence_of(const Evidence& evidence, Chirality chirality, double ways) {
+  const double merit = rank_merit(evidence, chirality), beyond = std::max(0.0, merit - enough_merit);
+  return 1 / (1 + std::exp(0.37 - 5.8 * (merit - 0.9 * beyond) + 1.6 * std::log(ways)));
 }
 
 }  // namespace homolog

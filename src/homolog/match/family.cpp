@@ -81,17 +81,40 @@ std::vector<Refined> without_lagging(std::vector<Refined> all, double most_behin
   });
 }
 
+double odds(double merit, double better) { return std::exp(rivalry * std::min(0.0, merit - better)); }
+
+// In how many ways the part that a match claims can be laid about as well.
+double ways_of(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
+  double ways = 1;
+  for (const Refined& rival : all) {
+    if (&rival == &match || !same_part(match, rival, model, data)) continue;
+    ways += odds(rank_merit(rival.evidence, rival.cloth.chirality), rank_merit(match.evidence, match.cloth.chirality));
+  }
+  return ways;
+}
+
 // Of matches that claim the same part of the data one is right, and those as good are symmetric to it: a worse one is believed by the
-// odds between them. `all` come best first by merit and leave so by belief: other copies of the model come before worse ways to lay it on
-// the first one.
-std::vector<Refined> believed(std::vector<Refined> all, const Shape& model, const Shape& data) {
-  const auto lead = [](const Refined& a, const Refined& b) { return std::max(0.0, merit_of(a.evidence) - merit_of(b.evidence)); };
+// odds between them. `all` come best first.
+void believe(std::vector<Refined>& all, double ways, const Shape& model, const Shape& data) {
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto better_end = all.begin() + static_cast<std::ptrdiff_t>(i);
     const auto rival = std::find_if(all.begin(), better_end, [&](const Refined& r) { return same_part(all[i], r, model, data); });
-    if (rival != better_end) all[i].confidence *= std::exp(-rivalry * lead(*rival, all[i]));
+    all[i].confidence = confidence_of(all[i].evidence, all[i].cloth.chirality, ways);
+    if (rival != better_end) all[i].confidence *= odds(merit_of(all[i].evidence), merit_of(rival->evidence));
   }
-  std::stable_sort(all.begin(), all.end(), [](const Refined& a, const Refined& b) { return a.confidence > b.confidence; });
+}
+
+// `all` come best first by merit and leave so by belief: other copies of the model come before worse ways to lay it on the first one. The
+// more ways are as good as the one believed most, the less all are believed, unless each of them is a symmetry of one shape. Only those
+// count: how many ways are known to lay the model elsewhere tells more of the search.
+std::vector<Refined> believed(std::vector<Refined> all, const Shape& model, const Shape& data, bool symmetries) {
+  const auto less_sure = [](const Refined& a, const Refined& b) { return a.confidence < b.confidence; };
+  believe(all, 1, model, data);
+  if (!all.empty() && !symmetries) {
+    const Refined& surest = *std::max_element(all.begin(), all.end(), less_sure);
+    believe(all, ways_of(surest, all, model, data), model, data);
+  }
+  std::stable_sort(all.begin(), all.end(), [&](const Refined& a, const Refined& b) { return less_sure(b, a); });
   return all;
 }
 
@@ -166,7 +189,7 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
   std::vector<Refined> told = refined;
   std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
   Family family;
-  for (const Refined& r : believed(std::move(told), model, data)) {
+  for (const Refined& r : believed(std::move(told), model, data, without_identity)) {
     if (static_cast<int>(family.matches.size()) == params.match.matches) break;
     Match match = match_of(r, model, data, params);
     if (match.pairs.size() < least_pairs) continue;

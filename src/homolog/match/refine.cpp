@@ -63,7 +63,6 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
 void weigh_again(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.evidence = weigh(refined.cloth, model, data);
   for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, {})) refined.evidence.support += c.confidence;
-  refined.confidence = confidence_of(refined.evidence, refined.cloth.chirality);
 }
 
 void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule, std::size_t samples) {

@@ -14,7 +14,7 @@ struct Refined {
   CorrespondenceSet pairs;  ///< all that the cloth explains, rated in the end
   Cloth cloth;
   Evidence evidence;
-  double confidence = 0;
+  double confidence = 0;  ///< left to the family
 };
 
 /// Steps of the first draw.
