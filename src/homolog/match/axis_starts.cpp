@@ -17,6 +17,11 @@ constexpr std::size_t samples = 150;  // of each skin
 constexpr int settle_steps = 12;
 constexpr double different = 0.15;  // mean distance of two starts, in data diagonals, from which they differ
 
+// Places and normals a coordinate a column, single precision being enough beside the data's centre.
+struct Facets {
+  Eigen::ArrayX3f places, normals;
+};
+
 struct Skin {
   Eigen::Matrix3Xd places, normals;
   Vec3 centre = Vec3::Zero();
@@ -57,17 +62,23 @@ struct Settled {
   double distance = std::numeric_limits<double>::infinity();  // two-way mean, normals counted, in data diagonals
 };
 
-// For each column of `from` the index of the nearest of `to`, places that face away being farther; adds up the distances.
-double nearest_partners(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& from_normals, const Eigen::Matrix3Xd& to,
-                        const Eigen::Matrix3Xd& to_normals, double facing, std::vector<int>& partner) {
+Facets facets_of(const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& normals, const Vec3& origin) {
+  return {(places.colwise() - origin).transpose().cast<float>(), normals.transpose().cast<float>()};
+}
+
+// For each of `from` the number of the nearest of `to`, places that face away being farther; adds up the distances.
+double nearest_partners(const Facets& from, const Facets& to, double facing, std::vector<int>& partner) {
+  const auto square = static_cast<float>(facing * facing);
   double sum = 0;
-  partner.resize(from.cols());
-  for (Eigen::Index i = 0; i < from.cols(); ++i) {
-    const Eigen::ArrayXd away = 1 - (to_normals.transpose() * from_normals.col(i)).array();
-    const Eigen::ArrayXd cost = (to.colwise() - from.col(i)).colwise().squaredNorm().transpose().array() + facing * facing * away;
-    sum += std::sqrt(cost.minCoeff(&partner[i]));
+  partner.resize(static_cast<std::size_t>(from.places.rows()));
+  Eigen::ArrayXf cost(to.places.rows());
+  for (Eigen::Index i = 0; i < from.places.rows(); ++i) {
+    const auto x = from.places.row(i), n = from.normals.row(i);
+    cost = (to.places.col(0) - x[0]).square() + (to.places.col(1) - x[1]).square() + (to.places.col(2) - x[2]).square() +
+           square * (1 - to.normals.col(0) * n[0] - to.normals.col(1) * n[1] - to.normals.col(2) * n[2]);
+    sum += std::sqrt(std::max(0.0f, cost.minCoeff(&partner[static_cast<std::size_t>(i)])));
   }
-  return sum / static_cast<double>(from.cols());
+  return sum / static_cast<double>(from.places.rows());
 }
 
 std::vector<WeighedPair> evenly(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
@@ -80,13 +91,14 @@ std::vector<WeighedPair> evenly(const Eigen::Matrix3Xd& from, const Eigen::Matri
 Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, Chirality chirality) {
   Settled settled{start};
   std::vector<int> of_model, of_data;
+  const Facets there = facets_of(data.places, data.normals, data.centre);
   for (int step = 0; step <= settle_steps; ++step) {
     const Similarity& s = settled.similarity;
-    const Eigen::Matrix3Xd mapped = (s.scale * (s.rotation * model.places)).colwise() + s.shift, turned = s.rotation * model.normals;
+    const Eigen::Matrix3Xd mapped = (s.scale * (s.rotation * model.places)).colwise() + s.shift;
+    const Facets here = facets_of(mapped, s.rotation * model.normals, data.centre);
     const double facing = 0.1 * diagonal;
-    const double there = nearest_partners(mapped, turned, data.places, data.normals, facing, of_model);
-    const double back = nearest_partners(data.places, data.normals, mapped, turned, facing, of_data);
-    settled.distance = 0.5 * (there + back) / diagonal;
+    const double forth = nearest_partners(here, there, facing, of_model), back = nearest_partners(there, here, facing, of_data);
+    settled.distance = 0.5 * (forth + back) / diagonal;
     if (step == settle_steps) break;
     const Eigen::Index n = mapped.cols(), m = data.places.cols();
     Eigen::Matrix3Xd from(3, n + m), to(3, n + m);
