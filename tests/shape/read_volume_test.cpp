@@ -49,6 +49,11 @@ TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
   expect_box_of_ones(read("b.nhdr", volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: -1\n", "")));
   write("plain.raw", volumes::voxels());
   expect_box_of_ones(read("c.mhd", volumes::metaimage(false, "plain.raw")));
+  write("left (2) knee.raw", volumes::voxels());
+  expect_box_of_ones(read("named.mhd", volumes::metaimage(false, "left (2) knee.raw")));
+  expect_box_of_ones(read("named.nhdr", volumes::nrrd(false, true, "data file: left (2) knee.raw \n", "")));
+  expect_error("list.mhd", volumes::metaimage(false, "LIST 2D"), "several files");
+  expect_error("pattern.nhdr", volumes::nrrd(false, true, "data file: knee%03d.raw 1 5 1\n", ""), "several files");
   expect_error("d.mhd", volumes::metaimage(false, "../plain.raw"), "outside its folder");
   expect_error("e.nhdr", volumes::nrrd(false, true, "data file: /etc/passwd\n", ""), "outside its folder");
   EXPECT_THROW(read("f.mhd", volumes::metaimage(false, "none.raw")), FileError);
@@ -78,6 +83,13 @@ TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
   std::string flat = volumes::nifti();
   volumes::put<float>(flat, 280, 0, std::endian::little);
   expect_error("d.nii", flat, "do not span space");
+}
+
+TEST_F(ReadVolume, FieldsThatLackOrStandTwiceAreNamed) {
+  expect_error("a.nrrd", volumes::nrrd(false, true, "sizes: 8 6 5\n"), "the field 'sizes' stands twice");
+  expect_error("b.mha", "NDims = 3\nNDims = 3\n", "line 2: the field 'NDims' stands twice");
+  expect_error("c.mha", "NDims = 3\nElementDataFile = LOCAL\n", "the header lacks the field 'DimSize'");
+  expect_error("d.nrrd", "NRRD0004\ndimension: 3\n\n", "the header lacks the field 'sizes'");
 }
 
 TEST_F(ReadVolume, TruncatedAndLyingFilesAreRefused) {

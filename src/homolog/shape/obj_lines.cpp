@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace homolog {
 
 bool next_whole_line(Text& text, std::string_view& line, std::string& joined) {
@@ -19,11 +17,6 @@ bool next_whole_line(Text& text, std::string_view& line, std::string& joined) {
   if (more) joined.append(line);
   line = joined;
   return true;
-}
-
-std::string rest_of(std::string_view line) {
-  line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
-  return std::string(line.substr(0, line.find_last_not_of(" \t\r") + 1));
 }
 
 std::uint32_t obj_number(Text& text, std::string_view word, std::size_t so_far, const char* what) {

@@ -13,9 +13,6 @@ namespace homolog {
 /// `joined`. False at the end of the file.
 bool next_whole_line(Text& text, std::string_view& line, std::string& joined);
 
-/// What is left of a line, without the blanks around it.
-std::string rest_of(std::string_view line);
-
 /// The number of a `what`, such as "vertex", counted from 0: written "7", from 1, or "-1", the last one of `so_far`. Throws FileError.
 std::uint32_t obj_number(Text& text, std::string_view word, std::size_t so_far, const char* what);
 

@@ -3,60 +3,33 @@
 
 #include <fmt/format.h>
 
-#include <map>
-#include <optional>
-
-#include "homolog/shape/text.h"
+#include "homolog/shape/header_fields.h"
 
 namespace homolog {
 namespace {
 
-struct Entry {
-  std::string_view text;
-  std::size_t line;
-};
-
-using Entries = std::map<std::string, Entry, std::less<>>;
-
 /// All lines `Key = Value` up to ElementDataFile, which ends the header.
-Entries read_entries(Text& text) {
-  Entries entries;
+HeaderFields read_fields(Text& text) {
+  HeaderFields fields;
   std::string_view line;
   while (next_line(text, line)) {
     const std::string_view whole = line, key = take_word(line);
     if (key.empty()) continue;
     if (take_word(line) != "=") fail(text, fmt::format("'{}' is not of the form 'Key = Value'; the file is damaged", shown(whole)));
-    if (!entries.emplace(key, Entry{line, text.line}).second) fail(text, "this key stands twice; the file is damaged");
-    if (key == "ElementDataFile") return entries;
+    add_field(text, fields, std::string(key), line);
+    if (key == "ElementDataFile") return fields;
   }
   fail(text, "the header ends without ElementDataFile; the file is truncated or not a MetaImage");
 }
 
-/// The first of these keys that is there.
-std::optional<Entry> find(const Entries& entries, std::initializer_list<std::string_view> keys) {
-  for (const std::string_view key : keys) {
-    if (const auto entry = entries.find(key); entry != entries.end()) return entry->second;
-  }
-  return {};
-}
-
-std::string_view word(const Entries& entries, std::initializer_list<std::string_view> keys) {
-  const std::optional<Entry> entry = find(entries, keys);
-  std::string_view rest = entry ? entry->text : std::string_view();
-  return take_word(rest);
-}
-
-bool is_true(const Entries& entries, std::initializer_list<std::string_view> keys) {
-  const std::string_view value = word(entries, keys);
+bool is_true(const HeaderFields& fields, std::initializer_list<std::string_view> names) {
+  const std::string_view value = word_of(fields, names);
   return value == "True" || value == "true" || value == "1";
 }
 
-long long whole(const Text& text, const Entries& entries, std::string_view key, long long otherwise) {
-  const std::optional<Entry> entry = find(entries, {key});
-  if (!entry) return otherwise;
-  Text at{text.file, {}, entry->line};
-  std::string_view rest = entry->text;
-  return take_integer(at, rest, "this value");
+long long whole(const Text& text, const HeaderFields& fields, std::string_view name, long long otherwise) {
+  const HeaderField* field = find_field(fields, {name});
+  return field ? FieldNumbers(text, *field).whole() : otherwise;
 }
 
 VoxelType type_of(const Text& text, std::string_view name) {
@@ -72,20 +45,19 @@ VoxelType type_of(const Text& text, std::string_view name) {
 }
 
 /// Every three numbers of the matrix are the direction of an axis.
-Mat4 world_of(const Text& text, const Entries& entries) {
-  const auto numbers = [&](std::initializer_list<std::string_view> keys, auto& values, int count) {
-    const std::optional<Entry> entry = find(entries, keys);
-    if (!entry) return;
-    Text at{text.file, {}, entry->line};
-    std::string_view rest = entry->text;
-    for (int i = 0; i < count; ++i) values(i) = take_number(at, rest, "a number of this value");
+Mat4 world_of(const Text& text, const HeaderFields& fields) {
+  const auto take = [&](std::initializer_list<std::string_view> names, auto& values, int count) {
+    const HeaderField* field = find_field(fields, names);
+    if (!field) return;
+    FieldNumbers numbers(text, *field);
+    for (int i = 0; i < count; ++i) values(i) = numbers.real();
   };
   Mat3 axes = Mat3::Identity();
   Vec3 spacing = Vec3::Ones(), origin = Vec3::Zero();
   auto matrix = axes.reshaped();
-  numbers({"TransformMatrix", "Orientation", "Rotation"}, matrix, 9);
-  numbers({"ElementSpacing", "ElementSize"}, spacing, 3);
-  numbers({"Offset", "Position", "Origin"}, origin, 3);
+  take({"TransformMatrix", "Orientation", "Rotation"}, matrix, 9);
+  take({"ElementSpacing", "ElementSize"}, spacing, 3);
+  take({"Offset", "Position", "Origin"}, origin, 3);
   Mat4 world = Mat4::Identity();
   world.topLeftCorner<3, 3>() = axes * spacing.asDiagonal();
   world.topRightCorner<3, 1>() = origin;
@@ -98,27 +70,22 @@ bool is_metaimage(std::string_view content) { return content.substr(0, 10) == "O
 
 RawVolume read_metaimage(std::string_view content, const std::string& file, std::uint64_t most_voxels, const ReadOther& read_other) {
   Text text{file, content};
-  const Entries entries = read_entries(text);
-  if (whole(text, entries, "NDims", 0) != 3) fail(text, "a solid needs a volume of 3 dimensions (NDims = 3)");
-  if (whole(text, entries, "ElementNumberOfChannels", 1) != 1) fail(text, "its voxels have several channels; save labels, one number each");
-  if (find(entries, {"BinaryData"}) && !is_true(entries, {"BinaryData"})) fail(text, "its voxels are text; save them as binary");
+  const HeaderFields fields = read_fields(text);
+  if (whole(text, fields, "NDims", 0) != 3) fail(text, "a solid needs a volume of 3 dimensions (NDims = 3)");
+  if (whole(text, fields, "ElementNumberOfChannels", 1) != 1) fail(text, "its voxels have several channels; save labels, one number each");
+  if (find_field(fields, {"BinaryData"}) && !is_true(fields, {"BinaryData"})) fail(text, "its voxels are text; save them as binary");
   RawVolume volume;
-  const std::optional<Entry> size = find(entries, {"DimSize"});
-  if (!size) fail(text, "the header lacks DimSize");
-  Text at{file, {}, size->line};
-  std::string_view rest = size->text;
-  for (std::int64_t& side : volume.size) side = take_integer(at, rest, "a side");
-  volume.type = type_of(text, word(entries, {"ElementType"}));
-  const bool big = is_true(entries, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+  FieldNumbers sizes(text, needed_field(text, fields, "DimSize"));
+  for (std::int64_t& side : volume.size) side = sizes.whole();
+  volume.type = type_of(text, word_of(fields, {"ElementType"}));
+  const bool big = is_true(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
   volume.order = big ? std::endian::big : std::endian::little;
-  volume.world_from_voxel = world_of(text, entries);
+  volume.world_from_voxel = world_of(text, fields);
   check_header(volume, file, most_voxels);
-  StoredVoxels stored{is_true(entries, {"CompressedData"}), std::string(word(entries, {"ElementDataFile"})),
-                      whole(text, entries, "HeaderSize", 0)};
+  StoredVoxels stored{is_true(fields, {"CompressedData"}), other_file(text, fields, {"ElementDataFile"}),
+                      whole(text, fields, "HeaderSize", 0)};
   if (stored.skip < -1) fail(text, "HeaderSize is below -1; the file is damaged");
-  if (stored.other == "LIST" || stored.other.find('%') != std::string::npos || stored.other.empty()) {
-    fail(text, "the voxels stand in several files, or nowhere; save the volume as one file");
-  }
+  if (stored.other.empty()) fail(text, "ElementDataFile does not say where the voxels are; the file is damaged");
   if (stored.other == "LOCAL") stored.other.clear();
   take_voxels(volume, text.rest, stored, read_other, file);
   return volume;

@@ -5,23 +5,16 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 
-#include "homolog/shape/text.h"
+#include "homolog/shape/header_fields.h"
 
 namespace homolog {
 namespace {
 
-/// What stands behind the field's name, and in which line.
-struct Field {
-  std::string_view text;
-  std::size_t line;
-};
+constexpr std::string_view blanks = "(),";  // around and between numbers
 
-using Fields = std::map<std::string, Field, std::less<>>;
-
-Fields read_fields(Text& text) {
-  Fields fields;
+HeaderFields read_fields(Text& text) {
+  HeaderFields fields;
   std::string_view line;
   while (next_line(text, line) && !line.empty()) {
     const std::size_t colon = line.find(':');
@@ -31,38 +24,12 @@ Fields read_fields(Text& text) {
     if (line[colon + 1] == '=') continue;  // a key of the user's own
     std::string name(line.substr(0, colon));
     std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (!fields.emplace(name, Field{line.substr(colon + 1), text.line}).second) fail(text, "this field stands twice; the file is damaged");
+    add_field(text, fields, std::move(name), line.substr(colon + 1));
   }
   return fields;
 }
 
-std::string_view word_of(const Fields& fields, std::string_view name) {
-  const auto field = fields.find(name);
-  std::string_view rest = field == fields.end() ? std::string_view() : field->second.text;
-  return take_word(rest);
-}
-
-/// The field's text to take numbers from, with messages at its line. Brackets and commas are blanks.
-struct Numbers {
-  Text text;
-  std::string blanked;
-  std::string_view rest;
-
-  Numbers(const Text& at, const Field& field) : text{at.file, {}, field.line}, blanked(field.text) {
-    for (char& c : blanked) c = c == '(' || c == ')' || c == ',' ? ' ' : c;
-    rest = blanked;
-  }
-  double real() { return take_number(text, rest, "a number of this field"); }
-  long long whole() { return take_integer(text, rest, "a number of this field"); }
-};
-
-const Field& needed(const Text& text, const Fields& fields, std::string_view name) {
-  const auto field = fields.find(name);
-  if (field == fields.end()) fail(text, fmt::format("the header lacks the field '{}'", name));
-  return field->second;
-}
-
-VoxelType type_of(const Text& text, const Field& field) {
+VoxelType type_of(const Text& text, const HeaderField& field) {
   static constexpr std::pair<std::string_view, VoxelType> types[] = {
       {"signed char", VoxelType::int8},    {"int8", VoxelType::int8},           {"int8_t", VoxelType::int8},
       {"uchar", VoxelType::uint8},         {"unsigned char", VoxelType::uint8}, {"uint8", VoxelType::uint8},
@@ -74,9 +41,7 @@ VoxelType type_of(const Text& text, const Field& field) {
       {"longlong", VoxelType::int64},      {"int64", VoxelType::int64},         {"int64_t", VoxelType::int64},
       {"ulonglong", VoxelType::uint64},    {"uint64", VoxelType::uint64},       {"uint64_t", VoxelType::uint64},
       {"float", VoxelType::float32},       {"double", VoxelType::float64}};
-  std::string_view name = field.text;
-  while (!name.empty() && name.front() == ' ') name.remove_prefix(1);
-  while (!name.empty() && (name.back() == ' ' || name.back() == '\t')) name.remove_suffix(1);
+  const std::string name = rest_of(field.text);
   for (const auto& [word, type] : types) {
     if (word == name) return type;
   }
@@ -84,45 +49,40 @@ VoxelType type_of(const Text& text, const Field& field) {
 }
 
 /// Axes and origin from 'space directions' and 'space origin', else from 'spacings'.
-Mat4 world_of(const Text& text, const Fields& fields) {
+Mat4 world_of(const Text& text, const HeaderFields& fields) {
   Mat4 world = Mat4::Identity();
-  if (const auto directions = fields.find("space directions"); directions != fields.end()) {
-    Numbers numbers(text, directions->second);
+  if (const HeaderField* directions = find_field(fields, {"space directions"})) {
+    FieldNumbers numbers(text, *directions, blanks);
     for (int i = 0; i < 9; ++i) world(i % 3, i / 3) = numbers.real();
-  } else if (const auto spacings = fields.find("spacings"); spacings != fields.end()) {
-    Numbers numbers(text, spacings->second);
+  } else if (const HeaderField* spacings = find_field(fields, {"spacings"})) {
+    FieldNumbers numbers(text, *spacings, blanks);
     for (int axis = 0; axis < 3; ++axis) world(axis, axis) = numbers.real();
   }
-  if (const auto origin = fields.find("space origin"); origin != fields.end()) {
-    Numbers numbers(text, origin->second);
+  if (const HeaderField* origin = find_field(fields, {"space origin"})) {
+    FieldNumbers numbers(text, *origin, blanks);
     for (int axis = 0; axis < 3; ++axis) world(axis, 3) = numbers.real();
   }
-  const std::string_view space = word_of(fields, "space");
+  const std::string_view space = word_of(fields, {"space"});
   if (space == "right-anterior-superior" || space == "RAS") return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world;
   if (space == "left-anterior-superior" || space == "LAS") return Eigen::Vector4d(1, -1, 1, 1).asDiagonal() * world;
   return world;
 }
 
-StoredVoxels stored_as(const Text& text, const Fields& fields) {
+StoredVoxels stored_as(const Text& text, const HeaderFields& fields) {
   StoredVoxels stored;
-  const std::string_view encoding = word_of(fields, "encoding");
+  const std::string_view encoding = word_of(fields, {"encoding"});
   stored.compressed = encoding == "gzip" || encoding == "gz";
   if (!stored.compressed && encoding != "raw") {
     fail(text, fmt::format("the encoding '{}' is not read; save the volume as raw or gzip", shown(encoding)));
   }
-  if (const auto skip = fields.find("line skip"); skip != fields.end() && Numbers(text, skip->second).whole() != 0) {
-    fail({text.file, {}, skip->second.line}, "lines before the voxels are not skipped; save the volume without them");
+  if (const HeaderField* skip = find_field(fields, {"line skip"}); skip && FieldNumbers(text, *skip, blanks).whole() != 0) {
+    fail({text.file, {}, skip->line}, "lines before the voxels are not skipped; save the volume without them");
   }
-  if (const auto skip = fields.find("byte skip"); skip != fields.end()) {
-    stored.skip = Numbers(text, skip->second).whole();
-    if (stored.skip < -1) fail({text.file, {}, skip->second.line}, "so many bytes cannot be skipped; the file is damaged");
+  if (const HeaderField* skip = find_field(fields, {"byte skip"})) {
+    stored.skip = FieldNumbers(text, *skip, blanks).whole();
+    if (stored.skip < -1) fail({text.file, {}, skip->line}, "so many bytes cannot be skipped; the file is damaged");
   }
-  for (const char* name : {"data file", "datafile"}) {
-    if (const std::string_view other = word_of(fields, name); !other.empty()) stored.other = std::string(other);
-  }
-  if (stored.other == "LIST" || stored.other.find('%') != std::string::npos) {
-    fail(text, "the voxels stand in several files; save the volume as one");
-  }
+  stored.other = other_file(text, fields, {"data file", "datafile"});
   return stored;
 }
 
@@ -134,15 +94,16 @@ RawVolume read_nrrd(std::string_view content, const std::string& file, std::uint
   Text text{file, content};
   std::string_view line;
   if (!is_nrrd(content) || !next_line(text, line)) fail(text, "this is not a NRRD file (its first line is not 'NRRD000')");
-  const Fields fields = read_fields(text);
-  Numbers dimension(text, needed(text, fields, "dimension"));
-  if (dimension.whole() != 3) fail(dimension.text, "a solid needs a volume of 3 dimensions; save the one that is meant alone");
+  const HeaderFields fields = read_fields(text);
+  const HeaderField& dimension = needed_field(text, fields, "dimension");
+  if (FieldNumbers(text, dimension, blanks).whole() != 3)
+    fail({file, {}, dimension.line}, "a solid needs a volume of 3 dimensions; save the one that is meant alone");
   RawVolume volume;
-  Numbers sizes(text, needed(text, fields, "sizes"));
+  FieldNumbers sizes(text, needed_field(text, fields, "sizes"), blanks);
   for (std::int64_t& side : volume.size) side = sizes.whole();
-  volume.type = type_of(text, needed(text, fields, "type"));
-  volume.order = word_of(fields, "endian") == "big" ? std::endian::big : std::endian::little;
-  if (bytes_of(volume.type) > 1 && volume.order == std::endian::little && word_of(fields, "endian") != "little") {
+  volume.type = type_of(text, needed_field(text, fields, "type"));
+  volume.order = word_of(fields, {"endian"}) == "big" ? std::endian::big : std::endian::little;
+  if (bytes_of(volume.type) > 1 && volume.order == std::endian::little && word_of(fields, {"endian"}) != "little") {
     fail(text, "the header does not say 'endian: little' or 'endian: big'");
   }
   volume.world_from_voxel = world_of(text, fields);

@@ -32,6 +32,9 @@ bool next_data_line(Text& text, std::string_view& line);
 /// Takes the first word off a line; empty when there is none.
 std::string_view take_word(std::string_view& line);
 
+/// What is left of a line, without the blanks around it.
+std::string rest_of(std::string_view line);
+
 /// Takes a finite number off a line. Throws FileError, naming `what`, when there is none.
 double take_number(Text& text, std::string_view& line, const char* what);
 
