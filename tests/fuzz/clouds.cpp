@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include <array>
+#include <cstring>
+
 #include "fuzz/target.h"
+#include "homolog/shape/cloud_surface.h"
 #include "homolog/shape/read_ply_cloud.h"
 #include "homolog/shape/read_xyz.h"
 
@@ -20,7 +24,46 @@ void run_cloud_reader(const Read& read, const std::string& bytes) {
   for (const Vec3& normal : cloud.normals) require(normal.allFinite() && !normal.isZero(0), "normals have a direction");
 }
 
+constexpr std::size_t bytes_a_point = 6 * sizeof(float), most_points = 100;
+
+std::string octahedron(float size) {
+  std::string bytes;
+  for (int i = 0; i < 6; ++i) {
+    std::array<float, 6> point{};
+    point[i / 2] = i % 2 ? -size : size;
+    point[3 + i / 2] = i % 2 ? -1 : 1;
+    bytes.append(reinterpret_cast<const char*>(point.data()), sizeof point);
+  }
+  return bytes;
+}
+
+/// Whatever finite numbers the bytes make.
+PointCloud cloud_of(const std::string& bytes) {
+  PointCloud cloud;
+  for (std::size_t at = 0; at + bytes_a_point <= bytes.size() && cloud.points.size() < most_points; at += bytes_a_point) {
+    std::array<float, 6> numbers{};
+    std::memcpy(numbers.data(), bytes.data() + at, bytes_a_point);
+    const Vec3 point(numbers[0], numbers[1], numbers[2]), normal(numbers[3], numbers[4], numbers[5]);
+    if (!point.allFinite() || !normal.allFinite() || normal.isZero(0)) continue;
+    cloud.points.push_back(point);
+    cloud.normals.push_back(normal);
+  }
+  return cloud;
+}
+
 }  // namespace
+
+/// The surface of a cloud; a run takes as long as hundreds of those of a reader.
+Target cloud_surface() {
+  return {"cloud_surface",
+          {octahedron(1), octahedron(3).substr(0, 72) + octahedron(1e30f).substr(72)},
+          [](const std::string& bytes) {
+            const PointCloud cloud = cloud_of(bytes);
+            if (cloud.points.empty()) return;
+            run_mesh_reader([&](const std::string&, const std::string& file) { return homolog::cloud_surface(cloud, file); }, bytes);
+          },
+          40};
+}
 
 Target xyz() {
   return {"xyz",

@@ -10,8 +10,6 @@
 namespace homolog::fuzz {
 namespace {
 
-constexpr int changed_files = 20000;
-
 struct EachTarget : testing::TestWithParam<Target> {};
 
 /// Random numbers that are the same everywhere: the standard fixes mt19937, but not its distributions.
@@ -63,7 +61,7 @@ TEST_P(EachTarget, KeepsItsPromisesForItsOwnFilesAndTheirBeginnings) {
 TEST_P(EachTarget, KeepsItsPromisesForChangedFiles) {
   Dice dice;
   const std::vector<std::string>& seeds = GetParam().seeds;
-  for (int i = 0; i < changed_files; ++i) GetParam().run(changed(seeds[dice.below(seeds.size())], seeds, dice));
+  for (int i = 0; i < GetParam().changed_files; ++i) GetParam().run(changed(seeds[dice.below(seeds.size())], seeds, dice));
 }
 
 INSTANTIATE_TEST_SUITE_P(Fuzz, EachTarget, testing::ValuesIn(all_targets()), [](const auto& info) { return std::string(info.param.name); });

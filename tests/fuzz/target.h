@@ -19,6 +19,7 @@ struct Target {
   const char* name;
   std::vector<std::string> seeds;  ///< small files, right ones and what fuzzing has found
   std::function<void(const std::string& bytes)> run;
+  int changed_files = 20000;  ///< that the unit tests try
 };
 
 Target off();
@@ -27,6 +28,7 @@ Target stl();
 Target ply();
 Target xyz();
 Target ply_cloud();
+Target cloud_surface();
 Target gltf();
 Target nifti();
 Target nrrd();
@@ -42,8 +44,8 @@ Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(),        obj(),        stl(),     ply(),  xyz(), ply_cloud(), gltf(),         nifti(),      nrrd(), metaimage(),
-          match_json(), points_csv(), markups(), fcsv(), pts(), tps(),       morphologika(), parameters(), part()};
+  return {off(),       obj(),        stl(),        ply(),     xyz(),  ply_cloud(), cloud_surface(), gltf(),         nifti(),      nrrd(),
+          metaimage(), match_json(), points_csv(), markups(), fcsv(), pts(),       tps(),           morphologika(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {
