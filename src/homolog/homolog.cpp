@@ -67,7 +67,8 @@ Family match_by_quadruples(const Shape& model, const Shape& data, const Params& 
   lap(watch, "candidates", candidates.size(), "candidates");
   const GrownSets grown = grow_quadruples(candidates, model.diagonal, params.paper);  // App. A, B, Sec. 6.2.2
   lap(watch, "growth", grown.sets.size(), "grown sets");
-  Family family{verified_sets(grown.sets, model, data, params, without_identity), {}};  // eq. 8, Sec. 6.2.3
+  Family family;
+  family.matches = verified_sets(grown.sets, model, data, params, without_identity);  // eq. 8, Sec. 6.2.3
   lap(watch, "verification", family.matches.size(), "matches");
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
                           {"quadruples", grown.quadruples},
