@@ -21,7 +21,7 @@
 namespace homolog::bench {
 namespace {
 
-constexpr int mesh_resolution = 160;  // the ball has 300 000 triangles then
+constexpr int mesh_resolution = 160;  // the ball has 720 000 triangles then
 
 struct NamedMesh {
   std::string name;
