@@ -22,16 +22,23 @@ struct Facets {
   Eigen::ArrayX3f places, normals;
 };
 
+Facets facets_of(const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& normals, const Vec3& origin) {
+  return {(places.colwise() - origin).transpose().cast<float>(), normals.transpose().cast<float>()};
+}
+
 struct Skin {
   Eigen::Matrix3Xd places, normals;
   Vec3 centre = Vec3::Zero();
   Mat3 axes = Mat3::Identity();  // columns, longest first
   double radius = 0;             // root mean square distance from the centre
+  Facets facets;                 // beside the centre
 };
 
 Skin skin_of(const Shape& shape) {
   const std::size_t count = std::min(samples, shape.surface.size());
-  Skin skin{Eigen::Matrix3Xd(3, count), Eigen::Matrix3Xd(3, count)};
+  Skin skin;
+  skin.places.resize(3, count);
+  skin.normals.resize(3, count);
   for (std::size_t i = 0; i < count; ++i) {
     skin.places.col(i) = shape.surface[i].position;
     skin.normals.col(i) = shape.surface[i].normal;
@@ -40,6 +47,7 @@ Skin skin_of(const Shape& shape) {
   const Eigen::Matrix3Xd offsets = skin.places.colwise() - skin.centre;
   skin.radius = std::sqrt(offsets.squaredNorm() / static_cast<double>(count));
   skin.axes = Eigen::SelfAdjointEigenSolver<Mat3>(offsets * offsets.transpose()).eigenvectors().rowwise().reverse();
+  skin.facets = facets_of(skin.places, skin.normals, skin.centre);
   return skin;
 }
 
@@ -62,10 +70,6 @@ struct Settled {
   double distance = std::numeric_limits<double>::infinity();  // two-way mean, normals counted, in data diagonals
 };
 
-Facets facets_of(const Eigen::Matrix3Xd& places, const Eigen::Matrix3Xd& normals, const Vec3& origin) {
-  return {(places.colwise() - origin).transpose().cast<float>(), normals.transpose().cast<float>()};
-}
-
 // For each of `from` the number of the nearest of `to`, places that face away being farther; adds up the distances.
 double nearest_partners(const Facets& from, const Facets& to, double facing, std::vector<int>& partner) {
   const auto square = static_cast<float>(facing * facing);
@@ -81,30 +85,22 @@ double nearest_partners(const Facets& from, const Facets& to, double facing, std
   return sum / static_cast<double>(from.places.rows());
 }
 
-std::vector<WeighedPair> evenly(const Eigen::Matrix3Xd& from, const Eigen::Matrix3Xd& to) {
-  std::vector<WeighedPair> pairs;
-  for (Eigen::Index i = 0; i < from.cols(); ++i) pairs.push_back({from.col(i), to.col(i), 1});
-  return pairs;
-}
-
 // Closest points both ways and the best similarity, in turn.
 Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, Chirality chirality) {
   Settled settled{start};
   std::vector<int> of_model, of_data;
-  const Facets there = facets_of(data.places, data.normals, data.centre);
   for (int step = 0; step <= settle_steps; ++step) {
     const Similarity& s = settled.similarity;
     const Eigen::Matrix3Xd mapped = (s.scale * (s.rotation * model.places)).colwise() + s.shift;
     const Facets here = facets_of(mapped, s.rotation * model.normals, data.centre);
     const double facing = 0.1 * diagonal;
-    const double forth = nearest_partners(here, there, facing, of_model), back = nearest_partners(there, here, facing, of_data);
+    const double forth = nearest_partners(here, data.facets, facing, of_model), back = nearest_partners(data.facets, here, facing, of_data);
     settled.distance = 0.5 * (forth + back) / diagonal;
     if (step == settle_steps) break;
-    const Eigen::Index n = mapped.cols(), m = data.places.cols();
-    Eigen::Matrix3Xd from(3, n + m), to(3, n + m);
-    for (Eigen::Index i = 0; i < n; ++i) from.col(i) = model.places.col(i), to.col(i) = data.places.col(of_model[i]);
-    for (Eigen::Index k = 0; k < m; ++k) from.col(n + k) = model.places.col(of_data[k]), to.col(n + k) = data.places.col(k);
-    settled.similarity = best_similarity(evenly(from, to), chirality);
+    std::vector<WeighedPair> pairs;
+    for (std::size_t i = 0; i < of_model.size(); ++i) pairs.push_back({model.places.col(i), data.places.col(of_model[i]), 1});
+    for (std::size_t k = 0; k < of_data.size(); ++k) pairs.push_back({model.places.col(of_data[k]), data.places.col(k), 1});
+    settled.similarity = best_similarity(pairs, chirality);
   }
   return settled;
 }

@@ -41,9 +41,10 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
+double rank_merit(const Refined& match) { return rank_merit(match.evidence, match.cloth.chirality); }
+
 bool better(const Refined& a, const Refined& b) {
-  const double merit_a = rank_merit(a.evidence, a.cloth.chirality), merit_b = rank_merit(b.evidence, b.cloth.chirality);
-  if (merit_a != merit_b) return merit_a > merit_b;
+  if (rank_merit(a) != rank_merit(b)) return rank_merit(a) > rank_merit(b);
   return a.pairs.size() > b.pairs.size();
 }
 
@@ -76,8 +77,8 @@ bool same_part(const Refined& match, const Refined& other, const Shape& model, c
 std::vector<Refined> without_lagging(std::vector<Refined> all, double most_behind, const Shape& model, const Shape& data, Mirror mirror) {
   const std::size_t count = all.size();
   return distinct(std::move(all), count, [&](const Refined& candidate, const Refined& kept) {
-    const double behind = rank_merit(kept.evidence, kept.cloth.chirality) - rank_merit(candidate.evidence, candidate.cloth.chirality);
-    return behind > most_behind && allowed(kept.cloth.chirality, mirror) && same_part(candidate, kept, model, data);
+    return rank_merit(kept) - rank_merit(candidate) > most_behind && allowed(kept.cloth.chirality, mirror) &&
+           same_part(candidate, kept, model, data);
   });
 }
 
@@ -87,21 +88,21 @@ double odds(double merit, double better) { return std::exp(rivalry * std::min(0.
 double ways_of(const Refined& match, const std::vector<Refined>& all, const Shape& model, const Shape& data) {
   double ways = 1;
   for (const Refined& rival : all) {
-    if (&rival == &match || !same_part(match, rival, model, data)) continue;
-    ways += odds(rank_merit(rival.evidence, rival.cloth.chirality), rank_merit(match.evidence, match.cloth.chirality));
+    if (&rival != &match && same_part(match, rival, model, data)) ways += odds(rank_merit(rival), rank_merit(match));
   }
   return ways;
 }
 
 // Of matches that claim the same part of the data one is right, and those as good are symmetric to it: a worse one is believed by the
 // odds between them. `all` come best first.
-void believe(std::vector<Refined>& all, double ways, const Shape& model, const Shape& data) {
+std::vector<double> odds_against_rivals(const std::vector<Refined>& all, const Shape& model, const Shape& data) {
+  std::vector<double> against(all.size(), 1);
   for (std::size_t i = 0; i < all.size(); ++i) {
     const auto better_end = all.begin() + static_cast<std::ptrdiff_t>(i);
     const auto rival = std::find_if(all.begin(), better_end, [&](const Refined& r) { return same_part(all[i], r, model, data); });
-    all[i].confidence = confidence_of(all[i].evidence, all[i].cloth.chirality, ways);
-    if (rival != better_end) all[i].confidence *= odds(merit_of(all[i].evidence), merit_of(rival->evidence));
+    if (rival != better_end) against[i] = odds(merit_of(all[i].evidence), merit_of(rival->evidence));
   }
+  return against;
 }
 
 // `all` come best first by merit and leave so by belief: other copies of the model come before worse ways to lay it on the first one. The
@@ -109,11 +110,14 @@ void believe(std::vector<Refined>& all, double ways, const Shape& model, const S
 // count: how many ways are known to lay the model elsewhere tells more of the search.
 std::vector<Refined> believed(std::vector<Refined> all, const Shape& model, const Shape& data, bool symmetries) {
   const auto less_sure = [](const Refined& a, const Refined& b) { return a.confidence < b.confidence; };
-  believe(all, 1, model, data);
-  if (!all.empty() && !symmetries) {
-    const Refined& surest = *std::max_element(all.begin(), all.end(), less_sure);
-    believe(all, ways_of(surest, all, model, data), model, data);
-  }
+  const std::vector<double> against = odds_against_rivals(all, model, data);
+  const auto believe = [&](double ways) {
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      all[i].confidence = confidence_of(all[i].evidence, all[i].cloth.chirality, ways) * against[i];
+    }
+  };
+  believe(1);
+  if (!all.empty() && !symmetries) believe(ways_of(*std::max_element(all.begin(), all.end(), less_sure), all, model, data));
   std::stable_sort(all.begin(), all.end(), [&](const Refined& a, const Refined& b) { return less_sure(b, a); });
   return all;
 }

@@ -105,7 +105,7 @@ void NearestSurface::bound_leaf(Node& node) {
   node.axis.normalize();
   double least = 1;
   for (const std::uint32_t triangle : leaf.triangles) {
-    for (const std::uint32_t vertex : mesh_.triangles[triangle]) least = std::min(least, node.axis.dot(normals_[vertex].normalized()));
+    for (const std::uint32_t vertex : mesh_.triangles[triangle]) least = std::min(least, node.axis.dot(normals_[vertex]));
   }
   node.half_angle = least > 0 ? std::acos(std::min(least, 1.0)) : std::numbers::pi;
 }
