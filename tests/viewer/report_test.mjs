@@ -17,8 +17,8 @@ before(async () => {
 after(() => browser?.close());
 
 /// Opens a page; `done` fails on any error, dialog or request that left the file.
-async function open(t, name, viewport = { width: 900, height: 560 }) {
-  const page = await browser.newPage({ viewport, reducedMotion: 'reduce' });
+async function open(t, name, { viewport = { width: 900, height: 560 }, reducedMotion = 'reduce' } = {}) {
+  const page = await browser.newPage({ viewport, reducedMotion });
   page.setDefaultTimeout(patience);
   t.after(() => page.close());
   const troubles = [];
@@ -63,9 +63,50 @@ test('the slider warps the model in both panes, and back', async (t) => {
   for (const half of [[0, 0.5], [0.5, 1]]) assert.ok((await pictures.difference(first, warped, half)) > 0.01, `change in ${half}`);
   await page.locator('#set-share').fill('0');
   assert.equal(await pictures.difference(first, await look()), 0);
-  await page.locator('#play').click();
-  await page.waitForFunction(() => document.querySelector('#set-share').value === '1');
-  assert.equal(await pictures.difference(warped, await look()), 0);
+  done();
+});
+
+test('the warp plays there and back, by the button and by space, until it is stopped', async (t) => {
+  const { page, look, done } = await open(t, 'match.html', { reducedMotion: 'no-preference' });
+  const play = page.locator('#play');
+  assert.equal(await play.getAttribute('aria-label'), 'Play the warp, there and back');
+  await play.click();
+  assert.equal(await play.getAttribute('aria-label'), 'Pause');
+  await page.evaluate(() => {
+    const watch = () => {
+      const share = Number(document.querySelector('#set-share').value);
+      if (share > 0.8) window.turns.push('there');
+      if (share < 0.2) window.turns.push('back');
+      window.turns = window.turns.filter((turn, i) => turn !== window.turns[i - 1]);
+      requestAnimationFrame(watch);
+    };
+    window.turns = [];
+    watch();
+  });
+  await page.waitForFunction(() => window.turns.slice(-4).join() === 'there,back,there,back');
+  await page.locator('#view').focus();
+  await page.keyboard.press('Space');
+  const paused = await look();
+  const share = await page.locator('#set-share').inputValue();
+  await page.waitForTimeout(300);
+  assert.equal(await page.locator('#set-share').inputValue(), share);
+  assert.equal(await pictures.difference(paused, await look()), 0);
+  await play.press('Space');
+  assert.equal(await play.getAttribute('aria-label'), 'Pause');
+  await page.locator('#set-share').fill('0.5');
+  assert.match(await play.getAttribute('aria-label'), /Play/, 'who takes the slider stops it');
+  done();
+});
+
+test('with reduced motion playing leaps to the other end', async (t) => {
+  const { page, look, done } = await open(t, 'match.html');
+  const start = await look();
+  for (const end of ['1', '0']) {
+    await page.locator('#play').press('Enter');
+    assert.equal(await page.locator('#set-share').inputValue(), end);
+    assert.match(await page.locator('#play').getAttribute('aria-label'), /Play/);
+  }
+  assert.equal(await pictures.difference(start, await look()), 0);
   done();
 });
 
@@ -154,7 +195,7 @@ test('one shape alone shows its points and their numbers', async (t) => {
 });
 
 test('a phone shows everything without scrolling sideways', async (t) => {
-  const { page, look, done } = await open(t, 'match.html', { width: 390, height: 844 });
+  const { page, look, done } = await open(t, 'match.html', { viewport: { width: 390, height: 844 } });
   assert.ok((await pictures.ink(await look())) > 0.03);
   assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth));
   done();

@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { nearest } from '../../viewer/src/colour_transfer.js';
+import { phaseOf, shareAt } from '../../viewer/src/play.js';
 import { readReport } from '../../viewer/src/report.js';
 import { between, journey } from '../../viewer/src/warp.js';
 
@@ -35,6 +36,11 @@ test('positions are read relative to the centre of the box', () => {
 
 test('between leads from the start to the end', () => {
   assert.deepEqual([...between(new Float32Array([0, 2]), new Float32Array([4, 2]), 0.25)], [1, 2]);
+});
+
+test('playing leads to the data and back, from where the slider is', () => {
+  for (const [phase, share] of [[0, 0], [0.5, 0.5], [1, 1], [1.5, 0.5], [2, 0], [3, 1]]) assert.ok(Math.abs(shareAt(phase) - share) < 1e-12);
+  for (const share of [0, 0.01, 0.3, 1]) assert.ok(Math.abs(shareAt(phaseOf(share)) - share) < 1e-12);
 });
 
 test('every match says of every drawn vertex how surely it is covered', () => {

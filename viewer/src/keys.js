@@ -37,6 +37,6 @@ export function attachKeys(element, app) {
     }
   });
   return app.report.matches.length
-    ? 'Drag turns, wheel zooms, Shift+drag moves; click a ball or a line. Keys: 1\u20139 match, n/b pair, space warps, arrows turn, 0 resets.'
+    ? 'Drag turns, wheel zooms, Shift+drag moves; click a ball or a line. Keys: 1\u20139 match, n/b pair, space plays, arrows turn, 0 resets.'
     : 'Drag turns, wheel zooms, Shift+drag moves; click a ball. Keys: arrows turn, +/\u2212 zoom, r rolls, 0 resets.';
 }

@@ -3,6 +3,7 @@ import { make } from './dom.js';
 import { attachKeys } from './keys.js';
 import { Looks } from './looks.js';
 import { fillPanel, refreshPanel } from './panel.js';
+import { Player } from './play.js';
 import { readReport } from './report.js';
 import { Stage } from './stage.js';
 import { fillButtons, fillFooter, fillToolbar, fittingOpacity, refreshControls } from './toolbar.js';
@@ -16,7 +17,7 @@ const state = {
   colouring: 'part', opacity: fittingOpacity.part, ballScale: 1,
 };
 
-const app = { report, state, set, chooseMatch, choosePair, chooseBall, play, save, reset: () => app.stage?.resetViews() };
+const app = { report, state, set, chooseMatch, choosePair, chooseBall, play, pause, save, reset: () => app.stage?.resetViews() };
 
 function set(change) {
   const before = { ...state };
@@ -39,22 +40,16 @@ function chooseBall(ball) {
   set({ ball, pair: -1 });
 }
 
-let frame;
+const player = new Player((share, playing) => set({ share, playing }));
 
-/// The slider moves by itself, to the data or back.
 function play() {
-  const [goal, speed] = state.share < 1 ? [1, 1 / 1800] : [0, -1 / 1800];
-  let before;
-  const step = (now) => {
-    if (!state.playing) return;
-    const share = Math.min(1, Math.max(0, state.share + speed * (now - (before ?? now))));
-    before = now;
-    set({ share, playing: share !== goal });
-    frame = requestAnimationFrame(step);
-  };
-  cancelAnimationFrame(frame);
-  set({ playing: !state.playing });
-  frame = requestAnimationFrame(step);
+  if (state.playing) pause();
+  else player.start(state.share);
+}
+
+function pause(change = {}) {
+  player.stop();
+  set({ ...change, playing: false });
 }
 
 async function save() {

@@ -57,9 +57,9 @@ function legend({ state, set }, title) {
 }
 
 function warpControls(app) {
-  const { state, set } = app;
-  const play = make('button', { type: 'button', id: 'play', title: 'Space', onclick: app.play }, '\u25b6');
-  return make('div', { class: 'warp' }, play, slider(state, set, 'share', 'Warp model into data'), make('output', { id: 'share' }),
+  const { state, set, pause } = app;
+  const play = make('button', { type: 'button', id: 'play', onclick: app.play });
+  return make('div', { class: 'warp' }, play, slider(state, pause, 'share', 'Warp model into data'), make('output', { id: 'share' }),
     toggle(state, set, 'overlay', 'Lay over data', 'o'));
 }
 
@@ -75,5 +75,8 @@ export function refreshControls(state) {
   if (!share) return;
   share.value = state.share;
   document.getElementById('share').textContent = percent(state.share);
-  document.getElementById('play').textContent = state.playing ? '\u275a\u275a' : '\u25b6';
+  const play = document.getElementById('play');
+  play.textContent = state.playing ? '\u275a\u275a' : '\u25b6';
+  play.setAttribute('aria-label', state.playing ? 'Pause' : 'Play the warp, there and back');
+  play.title = `${state.playing ? 'Pause' : 'Play'} (space)`;
 }
