@@ -20,14 +20,16 @@ std::string message(const std::string& text) {
 }
 
 TEST(Morphologika, ReadsBackWhatItWritesMissingOnesUndefined) {
-  const Specimen specimen{"bear 1", {{"nose", "", Vec3(0.1, -2, 3e-20)}, {"ear", "", {}}}};
-  EXPECT_EQ(morphologika_text(specimen), with("1", "2", "[names]\nbear 1\n[rawpoints]\n'bear 1\n0.1 -2 3e-20\nNA NA NA\n"));
+  const Specimen specimen{"bear 1", {{"nose", "", Vec3(0.1, -2, 3e-20)}, {"\"left\" ear", "", {}}}};
+  EXPECT_EQ(morphologika_text(specimen), "\"landmark 1: nose\"\n\"landmark 2: \"left\" ear\"\n" +
+                                             with("1", "2", "[names]\nbear 1\n[rawpoints]\n'bear 1\n0.1 -2 3e-20\nNA NA NA\n"));
   const auto specimens = read_morphologika(morphologika_text(specimen), "a.txt");
   ASSERT_EQ(specimens.size(), 1u);
   EXPECT_EQ(specimens[0].name, "bear 1");
   ASSERT_EQ(specimens[0].points.size(), 2u);
   EXPECT_EQ(specimens[0].points[0].position, specimen.points[0].position);
   EXPECT_FALSE(specimens[0].points[1].position);
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(specimens[0].points[i].label, specimen.points[i].label);
 }
 
 TEST(Morphologika, ReadsCollectionsAndLeavesOtherSectionsOut) {
@@ -40,6 +42,7 @@ TEST(Morphologika, ReadsCollectionsAndLeavesOtherSectionsOut) {
   EXPECT_EQ(specimens[1].name, "b");
   EXPECT_FALSE(specimens[0].points[1].position);
   EXPECT_EQ(specimens[1].points[0].position, Vec3(4, 5, 6));
+  EXPECT_EQ(specimens[1].points[0].label, "1");
 }
 
 TEST(Morphologika, NamesTheLineOfAnError) {

@@ -27,5 +27,26 @@ TEST(ChosenSpecimen, NeverGuesses) {
   EXPECT_THAT(message_of([] { chosen_specimen({}, "", "a.tps"); }), HasSubstr("it holds no landmarks"));
 }
 
+TEST(NameComment, IsTakenBackAsTheName) {
+  for (const char* name : {"nose", "left ear: tip, L", "3", "C1.1"}) {
+    std::vector<MarkupPoint> points{{"1", "", {}}, {"2", "", {}}};
+    take_name(name_comment({name, "", {}}, 2), points);
+    EXPECT_EQ(points[0].label, "1");
+    EXPECT_EQ(points[1].label, name);
+  }
+  EXPECT_EQ(name_comment({"2", "", {}}, 2), "") << "its number is no name";
+  EXPECT_EQ(name_comment({" ", "", {}}, 2), "");
+  EXPECT_EQ(name_comment({"a\nb", "", {}}, 2), "landmark 2: a b");
+}
+
+TEST(TakeName, LeavesOtherCommentsAlone) {
+  std::vector<MarkupPoint> points{{"1", "", {}}};
+  for (const char* comment : {"", "landmark", "landmark 1", "landmark 1:", "landmark 2: x", "landmark 0: x", "landmark -1: x",
+                              "landmark 1.5: x", "landmark 99999999999999999999: x", "landmarks 1: x", "placed by anna"}) {
+    take_name(comment, points);
+    EXPECT_EQ(points[0].label, "1") << comment;
+  }
+}
+
 }  // namespace
 }  // namespace homolog

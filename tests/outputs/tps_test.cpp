@@ -15,14 +15,18 @@ std::string message(const std::string& text) {
 }
 
 TEST(Tps, ReadsBackWhatItWritesMissingOnesUndefined) {
-  const Specimen specimen{"bear 1", {{"nose", "", Vec3(0.1, -2, 3e-20)}, {"ear", "", {}}, {"tail", "", Vec3(4, 5, 6)}}};
-  EXPECT_EQ(tps_text(specimen), "LM3=3\n0.1 -2 3e-20\nNA NA NA\n4 5 6\nID=bear 1\n");
+  const Specimen specimen{"bear 1", {{"nose", "", Vec3(0.1, -2, 3e-20)}, {"left ear = L", "", {}}, {"3", "", Vec3(4, 5, 6)}}};
+  EXPECT_EQ(tps_text(specimen),
+            "LM3=3\n0.1 -2 3e-20\nNA NA NA\n4 5 6\n"
+            "COMMENT=landmark 1: nose\nCOMMENT=landmark 2: left ear = L\nID=bear 1\n");
   const auto specimens = read_tps(tps_text(specimen), "a.tps");
   ASSERT_EQ(specimens.size(), 1u);
   EXPECT_EQ(specimens[0].name, "bear 1");
   ASSERT_EQ(specimens[0].points.size(), 3u);
-  for (int i = 0; i < 3; ++i) EXPECT_EQ(specimens[0].points[i].position, specimen.points[i].position);
-  EXPECT_EQ(specimens[0].points[1].label, "2");
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(specimens[0].points[i].position, specimen.points[i].position);
+    EXPECT_EQ(specimens[0].points[i].label, specimen.points[i].label);
+  }
 }
 
 TEST(Tps, ReadsCollectionsWithCurvesScalesAndWhatElseThereIs) {

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <charconv>
+
 #include "homolog/base/errors.h"
 #include "homolog/shape/text.h"
 
@@ -35,6 +37,21 @@ const Specimen& chosen_specimen(const std::vector<Specimen>& specimens, const st
     if (fmt::format("{}", i + 1) == which) return specimens[i];
   }
   throw FileError(fmt::format("{}: it holds no specimen '{}', but {}", file, shown(which), names_of(specimens)));
+}
+
+std::string name_comment(const MarkupPoint& point, std::size_t number) {
+  const std::string name = one_line(point.label);
+  return name.empty() || name == fmt::format("{}", number) ? "" : fmt::format("landmark {}: {}", number, name);
+}
+
+void take_name(std::string_view comment, std::vector<MarkupPoint>& points) {
+  if (take_word(comment) != "landmark") return;
+  std::size_t number = 0;
+  const std::string_view word = take_word(comment);
+  const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
+  const bool is_number = error == std::errc() && std::string_view(end, word.data() + word.size() - end) == ":";
+  const std::string name = one_line(std::string(comment));
+  if (is_number && number >= 1 && number <= points.size() && !name.empty()) points[number - 1].label = name;
 }
 
 std::string one_line(const std::string& name) {

@@ -93,6 +93,8 @@ struct Reader {
     } else if (entry.key == "ID" || (entry.key == "IMAGE" && !has_id)) {
       specimen.name = one_line(std::string(entry.value));
       has_id = entry.key == "ID";
+    } else if (entry.key == "COMMENT") {
+      take_name(entry.value, specimen.points);
     } else if (entry.key == "SCALE") {
       scale(text, entry, specimen);
     }
@@ -115,6 +117,9 @@ std::string tps_text(const Specimen& specimen) {
   for (const MarkupPoint& point : specimen.points) {
     const auto& x = point.position;
     text += x ? fmt::format("{} {} {}\n", x->x(), x->y(), x->z()) : "NA NA NA\n";
+  }
+  for (std::size_t i = 0; i < specimen.points.size(); ++i) {
+    if (const std::string name = name_comment(specimen.points[i], i + 1); !name.empty()) text += fmt::format("COMMENT={}\n", name);
   }
   return text + fmt::format("ID={}\n", one_line(specimen.name));
 }
