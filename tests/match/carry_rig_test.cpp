@@ -135,6 +135,18 @@ TEST(CarryRig, GivesEveryVertexWeightsOfSumOne) {
   }
 }
 
+TEST(CarryRig, KeepsMoreThanFourWeightsAVertexWhereTheGiverHasThem) {
+  Carried carried(warp, Chirality::proper);
+  carried.giver.rig.joints.resize(6, carried.giver.rig.joints[1]);
+  const Influences six = strongest_influences({{0, 6}, {1, 5}, {2, 4}, {3, 3}, {4, 2}, {5, 1}}, 8);
+  for (Influences& influences : carried.giver.rig.influences) influences = six;
+  const Rig rig = carry_rig(carried.giver, carried.receiver, {carried.map.places, carried.chirality});
+  for (std::size_t k = 0; k < six.size(); ++k) {
+    EXPECT_EQ(rig.influences[7][k].joint, six[k].joint);
+    EXPECT_NEAR(rig.influences[7][k].weight, six[k].weight, 1e-6);
+  }
+}
+
 void expect_same_nose(const Carried& carried, Warp to) {
   const auto keys = carry_shape_keys(carried.giver, carried.receiver, {carried.map.places, carried.chirality});
   ASSERT_EQ(keys.size(), 1u);

@@ -104,6 +104,19 @@ TEST(AttributesGltf, IsReadAsItWasWritten) {
   }
 }
 
+TEST(AttributesGltf, WritesASecondSetOfWeightsWhereItIsNeeded) {
+  AttributedMesh mesh = capsule_with_everything();
+  mesh.rig.joints.resize(6, mesh.rig.joints[1]);
+  mesh.rig.influences[3] = strongest_influences({{0, 6}, {1, 5}, {2, 4}, {3, 3}, {4, 2}, {5, 1}}, 8);
+  const AttributedMesh again = read_again(attributes_gltf(mesh, "b.glb", "a.glb"));
+  for (const std::size_t i : {2, 3}) {
+    for (std::size_t k = 0; k < 8; ++k) {
+      EXPECT_NEAR(again.rig.influences[i][k].weight, mesh.rig.influences[i][k].weight, 1e-6);
+      if (mesh.rig.influences[i][k].weight > 0) EXPECT_EQ(again.rig.influences[i][k].joint, mesh.rig.influences[i][k].joint);
+    }
+  }
+}
+
 TEST(AttributesGltf, KeepsWhatAGltfSaysOfItsMaterials) {
   AttributedMesh mesh = capsule_with_everything();
   mesh.texturing.gltf = R"({"materials": [{"name": "gold", "pbrMetallicRoughness": {"metallicFactor": 0.9}}, {"extensions": )"

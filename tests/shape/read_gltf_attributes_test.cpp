@@ -108,6 +108,16 @@ TEST(ReadGltfAttributes, PlacesJointsAsTheirBindMatricesSay) {
   EXPECT_FLOAT_EQ(mesh.rig.influences[3][0].weight, 1);
 }
 
+TEST(ReadGltfAttributes, ReadsASecondSetOfWeights) {
+  File file;
+  ordered_json& attributes = file.primitive()["attributes"];
+  attributes["JOINTS_1"] = attributes["JOINTS_0"];
+  attributes["WEIGHTS_1"] = add_table(file.content, Floats{1, 0, 0, 0, 0, 4, 0, 0, 1, 0, 0, 0, 1, 0, 0, 0}, 4, GltfTarget::none);
+  const AttributedMesh mesh = read(file);
+  EXPECT_FLOAT_EQ(mesh.rig.influences[1][0].weight, 0.875f) << "3 + 4 of 8";
+  EXPECT_THAT(mesh.left_out, Not(testing::Contains(HasSubstr("weights"))));
+}
+
 TEST(ReadGltfAttributes, TellsOfPicturesThatAreNotThere) {
   const AttributedMesh mesh = read({}, nothing);
   EXPECT_THAT(mesh.missing, testing::ElementsAre("a b.png"));

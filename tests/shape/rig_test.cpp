@@ -13,6 +13,17 @@ TEST(StrongestInfluences, JoinsThoseOfOneJointAndKeepsFourOfSumOne) {
   EXPECT_EQ(four[1].joint, 3);
   EXPECT_EQ(four[3].joint, 4);
   EXPECT_FLOAT_EQ(four[0].weight + four[1].weight + four[2].weight + four[3].weight, 1);
+  EXPECT_EQ(four[4].weight, 0);
+  EXPECT_EQ(most_influences({four}), 4u);
+}
+
+TEST(StrongestInfluences, KeepsUpToEightIfAskedFor) {
+  std::vector<Influence> ten;
+  for (std::uint16_t joint = 0; joint < 10; ++joint) ten.push_back({joint, 1.0f + joint});
+  const Influences eight = strongest_influences(ten, 8);
+  EXPECT_EQ(eight[7].joint, 2);
+  EXPECT_FLOAT_EQ(eight[7].weight, 3 / 52.0f);
+  EXPECT_EQ(most_influences({strongest_influences(ten), eight}), 8u);
 }
 
 TEST(StrongestInfluences, AreNoneWithoutAPositiveWeight) {

@@ -14,15 +14,15 @@ constexpr double least_distance = 0.005;  // of a joint from the surface, in dia
 constexpr double key_radius = 0.03;       // about a vertex, in diagonals
 constexpr double key_fade = 0.05;
 
-/// The influences at a place.
-Influences influences_at(const AttributedMesh& giver, const DensePlace& place) {
+/// The influences at a place, at most `most`.
+Influences influences_at(const AttributedMesh& giver, const DensePlace& place, std::size_t most) {
   std::vector<Influence> mixed;
   for (int k = 0; k < 3; ++k) {
     for (const Influence& influence : giver.rig.influences[giver.mesh.triangles[place.triangle][k]]) {
       mixed.push_back({influence.joint, influence.weight * static_cast<float>(place.barycentric[k])});
     }
   }
-  return strongest_influences(std::move(mixed));
+  return strongest_influences(std::move(mixed), most);
 }
 
 bool follows_something(const Influences& influences) { return influences[0].weight > 0; }
@@ -63,8 +63,9 @@ std::vector<std::uint32_t> leaders_of_bare_pieces(const Mesh& mesh, const std::v
 std::vector<Influences> carry_influences(const AttributedMesh& giver, const Mesh& receiver, const std::vector<DensePlace>& places) {
   std::vector<DensePlace> weighed = places;  // only where the giver has weights
   std::vector<Influences> influences(places.size());
+  const std::size_t most = most_influences(giver.rig.influences);
   for (std::size_t i = 0; i < places.size(); ++i) {
-    if (places[i].is_there()) influences[i] = influences_at(giver, places[i]);
+    if (places[i].is_there()) influences[i] = influences_at(giver, places[i], most);
     if (!follows_something(influences[i])) weighed[i] = {};
   }
   const std::vector<std::uint32_t> leader = leaders_of_bare_pieces(receiver, weighed, nearest_placed(receiver, weighed));

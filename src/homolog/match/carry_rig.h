@@ -14,11 +14,12 @@ struct GiverPlaces {
 };
 
 /// The giver's joints within the receiver, and the weights of its vertices. Weights lie between those of the corners of a place's triangle,
-/// of which the strongest four are kept; a vertex without a place follows what the nearest one with a place along the surface does, a piece
-/// of which no vertex has one what the nearest such vertex does. A joint goes where the best similarity (local_similarity.h) of the
-/// places that follow it or its parent (of all, if none does) puts it, of weight area * influence^2 / (distance^2 + d^2)^2, where d is the
-/// distance of the nearest one. It turns as the best similarity of those that follow itself does, each of weight area * influence^2, and
-/// does not scale; under a mirroring map its x axis is reversed, so that turns about that axis look mirrored.
+/// of which the strongest four are kept (eight if the giver has vertices with more than four); a vertex without a place follows what the
+/// nearest one with a place along the surface does, a piece of which no vertex has one what the nearest such vertex does. A joint goes
+/// where the best similarity (local_similarity.h) of the places that follow it or its parent (of all, if none does) puts it, of weight area
+/// * influence^2 / (distance^2 + d^2)^2, where d is the distance of the nearest one. It turns as the best similarity of those that follow
+/// itself does, each of weight area * influence^2, and does not scale; under a mirroring map its x axis is reversed, so that turns about
+/// that axis look mirrored.
 Rig carry_rig(const AttributedMesh& giver, const Mesh& receiver, const GiverPlaces& on_giver);
 
 /// The giver's shape keys on the receiver: each displacement is turned and scaled as the surface about the place is (3 % of the receiver's

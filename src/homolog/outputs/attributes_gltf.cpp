@@ -92,18 +92,24 @@ int add_uvs(GltfContent& content, const Texturing& texturing, const Split& split
   return add_table(content, values, 2, GltfTarget::vertices);
 }
 
-void add_influences(GltfContent& content, const std::vector<Influences>& influences, ordered_json& attributes) {
+/// Four influences of every vertex, from the first-th on.
+void add_set(GltfContent& content, const std::vector<Influences>& influences, std::size_t first, ordered_json& attributes) {
   std::vector<std::uint16_t> joints;
   Floats weights;
   for (const Influences& of_vertex : influences) {
     const bool follows_none = of_vertex[0].weight == 0;  // then the first joint, for glTF knows no vertex without one
-    for (std::size_t k = 0; k < of_vertex.size(); ++k) {
+    for (std::size_t k = first; k < first + few_influences; ++k) {
       joints.push_back(of_vertex[k].joint);
       weights.push_back(follows_none && k == 0 ? 1 : of_vertex[k].weight);
     }
   }
-  attributes["JOINTS_0"] = add_table(content, joints, 4, GltfTarget::vertices);
-  attributes["WEIGHTS_0"] = add_table(content, weights, 4, GltfTarget::vertices);
+  attributes[fmt::format("JOINTS_{}", first / few_influences)] = add_table(content, joints, 4, GltfTarget::vertices);
+  attributes[fmt::format("WEIGHTS_{}", first / few_influences)] = add_table(content, weights, 4, GltfTarget::vertices);
+}
+
+void add_influences(GltfContent& content, const std::vector<Influences>& influences, ordered_json& attributes) {
+  const std::size_t most = most_influences(influences);
+  for (std::size_t first = 0; first < most; first += few_influences) add_set(content, influences, first, attributes);
 }
 
 /// The tables that all primitives share.

@@ -35,7 +35,7 @@ struct Reader {
   GltfRig rig;
   std::size_t most_triangles;
   AttributedMesh mesh;
-  bool has_colours = false;
+  bool has_colours = false, has_weaker_weights = false;
 };
 
 /// Vertices that primitives of a mesh share, because they name the same tables.
@@ -168,8 +168,9 @@ void check_count(const Reader& reader, std::size_t vertices) {
 void append_influences(Reader& reader, const Instance& instance, const json& attributes, std::size_t vertices) {
   auto& influences = reader.mesh.rig.influences;
   if (!instance.joints) return influences.resize(influences.size() + vertices);
-  const std::vector<Influences> read = read_gltf_influences(reader.file, attributes, vertices, *instance.joints);
-  influences.insert(influences.end(), read.begin(), read.end());
+  const GltfInfluences read = read_gltf_influences(reader.file, attributes, vertices, *instance.joints);
+  influences.insert(influences.end(), read.of_vertices.begin(), read.of_vertices.end());
+  reader.has_weaker_weights |= read.has_more;
 }
 
 /// The vertices of a primitive, with what is said of them; those of an earlier one if it names the same tables.
@@ -221,6 +222,7 @@ void complete(Reader& reader) {
   mesh.rig.joints = reader.rig.joints();
   if (mesh.rig.joints.empty()) mesh.rig.influences.clear();
   if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");
+  if (reader.has_weaker_weights) mesh.left_out.emplace_back("all but the strongest eight weights of a vertex");
   if (mesh.texturing.uvs.empty() && mesh.texturing.materials.empty()) mesh.texturing = {};
   if (!list_at(reader.file.document, "animations").empty()) mesh.left_out.emplace_back("its animations");
 }

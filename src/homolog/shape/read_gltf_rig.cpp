@@ -46,8 +46,8 @@ std::vector<Joint> GltfRig::joints() const {
   return joints;
 }
 
-std::vector<Influences> read_gltf_influences(const GltfFile& file, const nlohmann::json& attributes, std::size_t vertices,
-                                             const std::vector<std::uint16_t>& joints) {
+GltfInfluences read_gltf_influences(const GltfFile& file, const nlohmann::json& attributes, std::size_t vertices,
+                                    const std::vector<std::uint16_t>& joints) {
   std::vector<std::vector<Influence>> all(vertices);
   for (int set = 0;; ++set) {
     const auto numbers = number_at(file, attributes, fmt::format("JOINTS_{}", set).c_str());
@@ -65,8 +65,11 @@ std::vector<Influences> read_gltf_influences(const GltfFile& file, const nlohman
       }
     }
   }
-  std::vector<Influences> influences;
-  for (const std::vector<Influence>& of_vertex : all) influences.push_back(strongest_influences(of_vertex));
+  GltfInfluences influences;
+  for (const std::vector<Influence>& of_vertex : all) {
+    influences.of_vertices.push_back(strongest_influences(of_vertex, Influences{}.size()));
+    influences.has_more |= of_vertex.size() > Influences{}.size();
+  }
   return influences;
 }
 

@@ -30,8 +30,13 @@ class GltfRig {
   bool bound_twice_ = false;
 };
 
+struct GltfInfluences {
+  std::vector<Influences> of_vertices;  ///< the strongest eight of all sets
+  bool has_more = false;                ///< whether a vertex followed more joints
+};
+
 /// The weights of a primitive's vertices for the joints of its skin. Throws FileError.
-std::vector<Influences> read_gltf_influences(const GltfFile& file, const nlohmann::json& attributes, std::size_t vertices,
-                                             const std::vector<std::uint16_t>& joints);
+GltfInfluences read_gltf_influences(const GltfFile& file, const nlohmann::json& attributes, std::size_t vertices,
+                                    const std::vector<std::uint16_t>& joints);
 
 }  // namespace homolog

@@ -22,16 +22,22 @@ struct Influence {
   std::uint16_t joint = 0;
   float weight = 0;  ///< 0: not at all
 };
-using Influences = std::array<Influence, 4>;  ///< the strongest first; their sum is 1, or 0 for a vertex that follows none
+using Influences = std::array<Influence, 8>;  ///< the strongest first; their sum is 1, or 0 for a vertex that follows none
+
+/// How many joints a vertex follows at most: four, as all programs that show glTF know them, or all eight where the rig has more than four.
+inline constexpr std::size_t few_influences = 4;
 
 struct Rig {
   std::vector<Joint> joints;
   std::vector<Influences> influences;  ///< of every vertex
 };
 
-/// The strongest four, those of one joint as one, so that their sum is 1; all 0 if none is positive. Of equal ones those of the first
-/// joints.
-Influences strongest_influences(std::vector<Influence> influences);
+/// The strongest ones, at most `most` (up to eight), those of one joint as one, so that their sum is 1; all 0 if none is positive. Of equal
+/// ones those of the first joints.
+Influences strongest_influences(std::vector<Influence> influences, std::size_t most = few_influences);
+
+/// Four, or eight if a vertex follows more than four joints.
+std::size_t most_influences(const std::vector<Influences>& influences);
 
 /// Another form of the same mesh, as a face's smile (glTF: morph target).
 struct ShapeKey {
