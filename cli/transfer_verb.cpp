@@ -59,7 +59,7 @@ triangle's corners, a label is the nearest one's, and a triangle lies on the UV 
 has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried', in a .glb it has
 none. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the surface about them, and keep
 their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has, and keys fade there.
-Animations are not carried.)";
+Joints turn in their parents as the giver's do over time, so animations show the giver's poses.)";
 
 /// Throws UsageError for a file that cannot be written, and when it is not said what to carry.
 void check_options(const TransferOptions& options) {

@@ -180,7 +180,7 @@ class Transfer(Program):
         self.assertAlmostEqual(length / 2.5, 0.5, delta=0.1)  # of the giver's, and the receiver is 2.5 times as large
         self.assertLess(self.distance(dict(zip("xyz", top)), bear.turned(max(vertices, key=lambda v: v[1]))), 2)
         done = self.run_it("transfer", "out/match.json", "--attributes", "rigged.glb", "--out", "carried.ply")
-        self.assertIn("weights, joints and shape keys are written to a .glb or .gltf alone", done.stderr)
+        self.assertIn("weights, joints, shape keys and animations are written to a .glb or .gltf alone", done.stderr)
 
     def test_attributes_that_cannot_be_carried(self):
         self.painted()

@@ -32,7 +32,8 @@ TEST(AttributeFiles, AreOfTheFormatThatTheNameAsksFor) {
 TEST(AttributeLosses, TellWhatAFormatCannotHold) {
   AttributedMesh mesh = rigged_capsule();
   EXPECT_THAT(attribute_losses(mesh, "a.glb", "b"), IsEmpty());
-  EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"), ElementsAre("weights, joints and shape keys are written to a .glb or .gltf alone"));
+  EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"),
+              ElementsAre("weights, joints, shape keys and animations are written to a .glb or .gltf alone"));
   mesh.rig = {};
   mesh.fields = {{"depth", Field::Kind::value, {}}};
   mesh.left_out = {"its animations"};

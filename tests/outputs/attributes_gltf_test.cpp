@@ -117,6 +117,24 @@ TEST(AttributesGltf, WritesASecondSetOfWeightsWhereItIsNeeded) {
   }
 }
 
+TEST(AttributesGltf, WritesHowJointsAndShapeKeysMove) {
+  AttributedMesh mesh = capsule_with_everything();
+  const std::vector<Pose> bound = capsule::bend_of(mesh.rig, 0), bent = capsule::bend_of(mesh.rig, 1);
+  mesh.animations = {{"bend", {0, 0.5, 2}, {{bound[0], bound[0], bound[0]}, {bound[1], bent[1], bound[1]}}, {{0, 1, 0.5}}},
+                     {"rest", {0, 1}, {{bound[0], bound[0]}, {bound[1], bound[1]}}, {{0.25, 0.25}}}};
+  mesh.animations[0].poses[0][2].shift += Vec3(0, 1, 0);
+  const AttributedMesh again = read_again(attributes_gltf(mesh, "b.glb", "a.glb"));
+  ASSERT_EQ(again.animations.size(), 1u) << "one does nothing";
+  EXPECT_EQ(again.animations[0].name, "bend");
+  EXPECT_EQ(again.animations[0].times, mesh.animations[0].times);
+  EXPECT_EQ(again.animations[0].weights, mesh.animations[0].weights);
+  for (std::size_t joint = 0; joint < 2; ++joint) {
+    for (std::size_t time = 0; time < 3; ++time) {
+      EXPECT_TRUE(matrix_of(again.animations[0].poses[joint][time]).isApprox(matrix_of(mesh.animations[0].poses[joint][time]), 1e-6));
+    }
+  }
+}
+
 TEST(AttributesGltf, KeepsWhatAGltfSaysOfItsMaterials) {
   AttributedMesh mesh = capsule_with_everything();
   mesh.texturing.gltf = R"({"materials": [{"name": "gold", "pbrMetallicRoughness": {"metallicFactor": 0.9}}, {"extensions": )"

@@ -118,6 +118,52 @@ TEST(ReadGltfAttributes, ReadsASecondSetOfWeights) {
   EXPECT_THAT(mesh.left_out, Not(testing::Contains(HasSubstr("weights"))));
 }
 
+/// With an animation that moves a node by these values at the times 0 and 2.
+void animate(File& file, int node, const char* path, const Floats& values, int columns, const Floats& times = {0, 2}) {
+  const int input = add_bounded_table(file.content, times, 1, GltfTarget::none),
+            output = add_table(file.content, values, columns, GltfTarget::none);
+  file.json["animations"] = {{{"name", "course"},
+                              {"samplers", {{{"input", input}, {"output", output}}}},
+                              {"channels", {{{"sampler", 0}, {"target", {{"node", node}, {"path", path}}}}}}}};
+}
+
+TEST(ReadGltfAttributes, ReadsWhereJointsMove) {
+  File file;
+  animate(file, 3, "translation", {0, 0, 0, 0, 4, 0}, 3);  // the node between both joints
+  const AttributedMesh mesh = read(file);
+  ASSERT_EQ(mesh.animations.size(), 1u);
+  const Animation& course = mesh.animations[0];
+  EXPECT_EQ(course.name, "course");
+  EXPECT_THAT(course.times, testing::ElementsAre(0, 2));
+  EXPECT_TRUE(course.poses[0][1].shift.isZero());
+  EXPECT_TRUE(course.poses[1][0].shift.isApprox(Vec3(7, 7, 7), 1e-6)) << "in its parent, the root";
+  EXPECT_TRUE(course.poses[1][1].shift.isApprox(Vec3(7, 11, 7), 1e-6));
+  EXPECT_THAT(course.weights[0], testing::ElementsAre(0.5, 0.5)) << "as it is";
+  EXPECT_EQ(told_attributes(mesh), "colours, UVs, 1 material, weights of 2 joints, 1 shape key, 1 animation");
+}
+
+TEST(ReadGltfAttributes, SeesWhatMovesAboveAllJoints) {
+  File file;
+  animate(file, 1, "rotation", {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f}, 4);
+  const Animation course = read(file).animations.at(0);
+  EXPECT_NEAR(course.poses[0][1].turn.angularDistance(course.poses[0][0].turn), M_PI / 2, 1e-6);
+  EXPECT_NEAR(course.poses[1][1].turn.angularDistance(course.poses[1][0].turn), 0, 1e-6) << "in its parent it stands";
+}
+
+TEST(ReadGltfAttributes, ReadsHowShapeKeysMove) {
+  File file;
+  animate(file, 0, "weights", {0, 1}, 1);
+  EXPECT_THAT(read(file).animations.at(0).weights.at(0), testing::ElementsAre(0, 1));
+}
+
+TEST(ReadGltfAttributes, TellsOfAnimationsThatMoveNothingCarried) {
+  File file;
+  animate(file, 0, "translation", {0, 0, 0, 1, 1, 1}, 3);  // the mesh itself, which stands where its joints say
+  const AttributedMesh mesh = read(file);
+  EXPECT_TRUE(mesh.animations.empty());
+  EXPECT_THAT(mesh.left_out, testing::Contains("'course', an animation of neither joints nor shape keys"));
+}
+
 TEST(ReadGltfAttributes, TellsOfPicturesThatAreNotThere) {
   const AttributedMesh mesh = read({}, nothing);
   EXPECT_THAT(mesh.missing, testing::ElementsAre("a b.png"));
@@ -199,6 +245,14 @@ TEST(ReadGltfAttributes, RefusesWhatIsDamaged) {
   EXPECT_THAT(refusal([](File& f) { f.primitive()["material"] = 5; }), HasSubstr("material 5 does not exist"));
   EXPECT_THAT(refusal([](File& f) { f.json["textures"][0]["source"] = 5; }), HasSubstr("image 5 does not exist"));
   EXPECT_THAT(refusal([](File& f) { f.json["images"][0]["uri"] = "data:image/png;base64,#"; }), HasSubstr("data inside it is not base64"));
+  EXPECT_THAT(refusal([](File& f) { animate(f, 3, "scale", {1, 1, 1, 1, 1, 1}, 3, {2, 1}); }), HasSubstr("do not ascend from 0 on"));
+  EXPECT_THAT(refusal([](File& f) { animate(f, 3, "scale", {1, 1, 1}, 3); }), HasSubstr("an animation has not one value for each time"));
+  EXPECT_THAT(refusal([](File& f) { animate(f, 0, "weights", {1, 1, 1, 1}, 1); }), HasSubstr("has not one weight for each target"));
+  EXPECT_THAT(refusal([](File& f) {
+                animate(f, 3, "scale", {1, 1, 1, 1, 1, 1}, 3);
+                f.json["animations"][0]["channels"][0]["sampler"] = 4;
+              }),
+              HasSubstr("sampler 4 of an animation does not exist"));
   EXPECT_EQ(refusal([](File& f) { f.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }),
             "a.glb: its meshes are compressed (KHR_draco_mesh_compression), which is not read; export it without compression");
 }

@@ -30,5 +30,21 @@ TEST(StrongestInfluences, AreNoneWithoutAPositiveWeight) {
   for (const Influence& influence : strongest_influences({{3, 0}, {2, -1}})) EXPECT_EQ(influence.weight, 0);
 }
 
+TEST(PoseOf, FindsWhatAMatrixWasMadeOf) {
+  const Pose pose{{1, -2, 3}, Eigen::Quaterniond(0.5, -0.5, 0.1, 0.7).normalized(), {-2, 0.5, 3}};
+  const Pose again = pose_of(matrix_of(pose));
+  EXPECT_TRUE(matrix_of(again).isApprox(matrix_of(pose), 1e-12));
+  EXPECT_TRUE(again.scale.isApprox(pose.scale, 1e-12));
+  EXPECT_LT(again.turn.angularDistance(pose.turn), 1e-7);
+}
+
+TEST(PoseOf, BearsWhatHasNoSize) {
+  for (const Vec3& scale : {Vec3(0, 0, 0), Vec3(2, 0, 1)}) {
+    const Pose pose = pose_of(matrix_of({{1, 2, 3}, Eigen::Quaterniond::Identity(), scale}));
+    EXPECT_TRUE(pose.scale.isApprox(scale));
+    EXPECT_NEAR(pose.turn.norm(), 1, 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace homolog

@@ -23,8 +23,8 @@ for (const name of files) {
   });
 }
 
-for (const name of ['morph.glb', 'coloured.glb']) {
-  test(`${name} has one animated target`, async () => {
+for (const name of ['morph.glb', 'coloured.glb', 'carried.glb']) {
+  test(`${name} has one animation, and a target`, async () => {
     const { info } = await report(name);
     assert.equal(info.hasMorphTargets, true);
     assert.equal(info.animationCount, 1);

@@ -107,6 +107,9 @@ AttributedMesh dressed(const Mesh& mesh) {
   animal.rig.joints[1].bind(0, 3) = 0.6;
   animal.rig.joints[2].bind(0, 3) = -0.7;
   animal.shape_keys = {{"nod", 0.5, {}}};
+  const Pose pelvis, neck = pose_of(local_bind(animal.rig, 1)), tail = pose_of(local_bind(animal.rig, 2)),
+                     raised{neck.shift, Eigen::Quaterniond(Eigen::AngleAxisd(0.4, Vec3::UnitY())), neck.scale};
+  animal.animations = {{"graze", {0, 1, 2}, {{pelvis, pelvis, pelvis}, {neck, raised, neck}, {tail, tail, tail}}, {{0.5, 0, 0.5}}}};
   for (const Vec3& x : mesh.vertices) {
     const auto front = static_cast<float>(std::clamp(2 * x.x() - 0.7, 0.0, 1.0)),
                back = static_cast<float>(std::clamp(-2 * x.x() - 0.9, 0.0, 1.0));
@@ -159,5 +162,6 @@ int main(int argc, char** argv) {
   AttributedMesh carried = carry_attributes(dressed(model.mesh), data.mesh, places.places, chirality_of(map));
   write_files(attributes_gltf(carried, folder / "carried.glb", "deer"));
   carried.rig = with_toes(carried.rig);
+  carried.animations.clear();
   write_files(attributes_gltf(carried, folder / "carried too.gltf", "deer"));
 }

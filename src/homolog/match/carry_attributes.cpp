@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "homolog/match/carry_rig.h"
+#include "homolog/match/carry_animations.h"
 #include "homolog/match/carry_texturing.h"
 
 namespace homolog {
@@ -83,6 +83,7 @@ AttributedMesh carry_attributes(const AttributedMesh& giver, const Mesh& receive
   if (!giver.texturing.corners.empty()) carried.texturing = carry_texturing(giver, receiver, places);
   if (!giver.rig.joints.empty()) carried.rig = carry_rig(giver, receiver, {places, chirality});
   carried.shape_keys = carry_shape_keys(giver, receiver, {places, chirality});
+  carried.animations = carry_animations(giver, receiver, {places, chirality}, carried.rig);
   return carried;
 }
 

@@ -11,9 +11,10 @@
 namespace homolog {
 
 /// The colours and fields of `giver` at the receiver's vertices, whose places on giver.mesh are `places`, its texturing
-/// (carry_texturing.h), and its rig and shape keys by a map of that chirality (carry_rig.h). Between the corners of a triangle colours and
-/// values are shared out by barycentric coordinates, and a label is the one with the largest share, so none comes up that was not there. A
-/// vertex without a place, or where most of the triangle has no value, has none: NaN, and the colour no_colour.
+/// (carry_texturing.h), and its rig, shape keys and animations by a map of that chirality (carry_rig.h, carry_animations.h). Between the
+/// corners of a triangle colours and values are shared out by barycentric coordinates, and a label is the one with the largest share, so
+/// none comes up that was not there. A vertex without a place, or where most of the triangle has no value, has none: NaN, and the colour
+/// no_colour.
 AttributedMesh carry_attributes(const AttributedMesh& giver, const Mesh& receiver, const std::vector<DensePlace>& places,
                                 Chirality chirality = Chirality::proper);
 

@@ -102,14 +102,6 @@ std::vector<WeighedPair> pairs_that_follow(const Carrying& carrying, int joint, 
   return pairs;
 }
 
-std::vector<WeighedPair> all_pairs(const Carrying& carrying) {
-  std::vector<WeighedPair> pairs;
-  for (std::size_t i = 0; i < carrying.places.size(); ++i) {
-    if (carrying.places[i].is_there()) pairs.push_back({carrying.places[i].position, carrying.receiver.vertices[i], carrying.areas[i]});
-  }
-  return pairs;
-}
-
 void weigh_by_distance(std::vector<WeighedPair>& pairs, const Vec3& x, double diagonal) {
   double least = std::numeric_limits<double>::infinity();
   for (const WeighedPair& pair : pairs) least = std::min(least, (pair.from - x).squaredNorm());
@@ -124,7 +116,7 @@ Mat4 carry_bind(const Carrying& carrying, const Rig& rig, int number) {
   const Joint& joint = rig.joints[static_cast<std::size_t>(number)];
   const Vec3 place = joint.bind.topRightCorner<3, 1>();
   std::vector<WeighedPair> about = pairs_that_follow(carrying, number, joint.parent), own = pairs_that_follow(carrying, number, -1);
-  if (about.empty()) about = all_pairs(carrying);
+  if (about.empty()) about = all_pairs(carrying.receiver, carrying.places);
   weigh_by_distance(about, place, carrying.giver_diagonal);
   const Similarity s = best_similarity(about, carrying.chirality);
   Mat3 turn = own.empty() ? s.rotation : best_similarity(own, carrying.chirality).rotation;

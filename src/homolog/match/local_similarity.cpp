@@ -46,6 +46,15 @@ std::vector<Similarity> similarities_about(const Mesh& receiver, const std::vect
   return similarities;
 }
 
+std::vector<WeighedPair> all_pairs(const Mesh& receiver, const std::vector<DensePlace>& places) {
+  const std::vector<double> areas = vertex_areas(receiver);
+  std::vector<WeighedPair> pairs;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    if (places[i].is_there()) pairs.push_back({places[i].position, receiver.vertices[i], areas[i]});
+  }
+  return pairs;
+}
+
 std::vector<double> vertex_areas(const Mesh& mesh) {
   std::vector<double> areas(mesh.vertices.size(), 0);
   for (const auto& [a, b, c] : mesh.triangles) {

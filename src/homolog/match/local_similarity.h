@@ -15,6 +15,9 @@ namespace homolog {
 std::vector<Similarity> similarities_about(const Mesh& receiver, const std::vector<DensePlace>& places, const std::vector<char>& wanted,
                                            double radius, Chirality chirality);
 
+/// Every place and where it comes to lie, weighed by its share of the receiver's area.
+std::vector<WeighedPair> all_pairs(const Mesh& receiver, const std::vector<DensePlace>& places);
+
 /// For every vertex its share of the surface's area.
 std::vector<double> vertex_areas(const Mesh& mesh);
 

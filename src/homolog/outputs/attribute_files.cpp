@@ -46,7 +46,7 @@ std::vector<std::string> attribute_losses(const AttributedMesh& giver, const std
       losses.push_back(fmt::format("{} is no picture that glTF holds (PNG, JPEG)", name));
     }
   } else if (!giver.rig.joints.empty() || !giver.shape_keys.empty()) {
-    losses.emplace_back("weights, joints and shape keys are written to a .glb or .gltf alone");
+    losses.emplace_back("weights, joints, shape keys and animations are written to a .glb or .gltf alone");
   }
   return losses;
 }

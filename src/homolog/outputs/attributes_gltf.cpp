@@ -7,6 +7,7 @@
 #include <map>
 
 #include "homolog/base/read_file.h"
+#include "homolog/outputs/gltf_animations.h"
 #include "homolog/outputs/gltf_materials.h"
 #include "homolog/shape/srgb.h"
 #include "homolog/shape/vertex_normals.h"
@@ -168,6 +169,8 @@ ordered_json mesh_of(const AttributedMesh& mesh, const ordered_json& primitives,
   return result;
 }
 
+constexpr std::size_t first_joint = 2;  // of the nodes
+
 /// Nodes 0, the mesh, 1, above the joints, and the joints; and the skin.
 void add_rig(ordered_json& json, const Rig& rig, GltfContent& content) {
   ordered_json& nodes = json["nodes"];
@@ -176,7 +179,7 @@ void add_rig(ordered_json& json, const Rig& rig, GltfContent& content) {
   Floats inverses;
   ordered_json joints = ordered_json::array();
   for (const Joint& joint : rig.joints) {
-    const Mat4 inverse = joint.bind.inverse(), local = joint.parent < 0 ? joint.bind : rig.joints[joint.parent].bind.inverse() * joint.bind;
+    const Mat4 inverse = joint.bind.inverse(), local = local_bind(rig, joints.size());
     for (Eigen::Index i = 0; i < 16; ++i) inverses.push_back(static_cast<float>(inverse.data()[i]));
     for (Eigen::Index column = 0; column < 4; ++column) inverses[inverses.size() - 13 + 4 * column] = column == 3 ? 1 : 0;  // exactly
     const Eigen::Quaterniond turn = Eigen::Quaterniond(Mat3(local.topLeftCorner<3, 3>())).normalized();
@@ -187,7 +190,7 @@ void add_rig(ordered_json& json, const Rig& rig, GltfContent& content) {
   }
   for (std::size_t i = 0; i < rig.joints.size(); ++i) {
     const int parent = rig.joints[i].parent;
-    nodes[parent < 0 ? 1 : static_cast<std::size_t>(parent) + 2]["children"].push_back(i + 2);
+    nodes[parent < 0 ? 1 : static_cast<std::size_t>(parent) + first_joint]["children"].push_back(i + first_joint);
   }
   json["skins"] = {{{"inverseBindMatrices", add_table(content, inverses, 16, GltfTarget::none)}, {"joints", joints}, {"skeleton", 1}}};
   json["scenes"][0]["nodes"].push_back(1);
@@ -215,6 +218,8 @@ std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::f
   if (!origin.isZero()) json["nodes"][0]["translation"] = {origin.x(), origin.y(), origin.z()};
   if (!mesh.rig.joints.empty()) add_rig(json, mesh.rig, content);
   json.update(gltf_materials(mesh.texturing, content));
+  const ordered_json animations = gltf_animations(mesh, first_joint, content);
+  if (!animations.is_null()) json["animations"] = animations;
   json["extras"] = {{"carried_from", from}};
   if (lower_extension(out) == ".glb") return {{out, glb_bytes(gltf_document(json, content), content)}};
   const std::filesystem::path bin = out.parent_path() / (stem + ".bin");

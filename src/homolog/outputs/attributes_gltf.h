@@ -12,9 +12,10 @@
 namespace homolog {
 
 /// `out`, a .glb, or a .gltf and its buffer "STEM.bin": the mesh with normals, colours, UVs, materials (those of a glTF file as they were
-/// there), pictures inside, the rig (whose joints neither scale nor shear) in its bind pose and the shape keys. Vertices keep their order;
-/// copies that UV seams need come after them. Triangles without a material have none. What lies in `fields` is not written, nor are
-/// pictures of OBJ files that are neither PNG nor JPEG (pictures_left_out()). `from` names where they are from. Throws OutputError.
+/// there), pictures inside, the rig (whose joints neither scale nor shear) in its bind pose, the shape keys, and the animations. Vertices
+/// keep their order; copies that UV seams need come after them. Triangles without a material have none. What lies in `fields` is not
+/// written, nor are pictures of OBJ files that are neither PNG nor JPEG (pictures_left_out()). `from` names where they are from. Throws
+/// OutputError.
 std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::filesystem::path& out, const std::string& from);
 
 /// The names of pictures that glTF cannot hold.

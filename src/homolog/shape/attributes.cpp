@@ -16,6 +16,7 @@ std::string told_attributes(const AttributedMesh& mesh) {
   if (const std::size_t count = mesh.texturing.materials.size(); count > 0) add(fmt::format("{} material{}", count, count == 1 ? "" : "s"));
   if (const std::size_t count = mesh.rig.joints.size(); count > 0) add(fmt::format("weights of {} joint{}", count, count == 1 ? "" : "s"));
   if (const std::size_t count = mesh.shape_keys.size(); count > 0) add(fmt::format("{} shape key{}", count, count == 1 ? "" : "s"));
+  if (const std::size_t count = mesh.animations.size(); count > 0) add(fmt::format("{} animation{}", count, count == 1 ? "" : "s"));
   return told;
 }
 

@@ -29,14 +29,15 @@ struct AttributedMesh {
   Texturing texturing;  ///< empty if there is none
   Rig rig;              ///< without joints if there is none
   std::vector<ShapeKey> shape_keys;
+  std::vector<Animation> animations;
   std::vector<std::string> missing;   ///< files that the file names and that are not there
-  std::vector<std::string> left_out;  ///< what else the file holds and is not read, as "its animations"
+  std::vector<std::string> left_out;  ///< what else the file holds and is not read, as "textures by a second set of UVs"
 };
 
 /// The bytes of a file that another one names; none if it is not there.
 using FindOther = std::function<std::optional<std::string>(const std::string& name)>;
 
-/// "colours, values depth, labels part, UVs, 2 materials, weights of 25 joints, 3 shape keys"; empty if there are none.
+/// "colours, values depth, labels part, UVs, 2 materials, weights of 25 joints, 3 shape keys, 1 animation"; empty if there are none.
 std::string told_attributes(const AttributedMesh& mesh);
 
 }  // namespace homolog

@@ -10,17 +10,7 @@ using nlohmann::json;
 
 Mat4 local_matrix(const GltfFile& file, const json& node) {
   if (const auto matrix = floats_at(file, node, "matrix", 16)) return Eigen::Map<const Mat4>(matrix->data());
-  const auto translation = floats_at(file, node, "translation", 3), rotation = floats_at(file, node, "rotation", 4),
-             scale = floats_at(file, node, "scale", 3);
-  Mat4 local = Mat4::Identity();
-  if (rotation) {
-    const auto& [x, y, z, w] = std::array{(*rotation)[0], (*rotation)[1], (*rotation)[2], (*rotation)[3]};
-    const Eigen::Quaterniond turn(w, x, y, z);
-    if (turn.squaredNorm() > 0) local.topLeftCorner<3, 3>() = turn.normalized().toRotationMatrix();
-  }
-  if (scale) local.topLeftCorner<3, 3>() *= Eigen::Map<const Vec3>(scale->data()).asDiagonal();
-  if (translation) local.topRightCorner<3, 1>() = Eigen::Map<const Vec3>(translation->data());
-  return local;
+  return matrix_of(stated_pose(file, node));
 }
 
 std::vector<std::size_t> nodes_at_the_top(const GltfFile& file, std::size_t count) {
@@ -43,6 +33,17 @@ std::vector<std::size_t> nodes_at_the_top(const GltfFile& file, std::size_t coun
 
 }  // namespace
 
+Pose stated_pose(const GltfFile& file, const json& node) {
+  Pose pose;
+  const auto translation = floats_at(file, node, "translation", 3), rotation = floats_at(file, node, "rotation", 4),
+             scale = floats_at(file, node, "scale", 3);
+  if (translation) pose.shift = Eigen::Map<const Vec3>(translation->data());
+  if (rotation) pose.turn.coeffs() = Eigen::Map<const Eigen::Vector4d>(rotation->data());
+  pose.turn = pose.turn.squaredNorm() > 0 ? pose.turn.normalized() : Eigen::Quaterniond::Identity();
+  if (scale) pose.scale = Eigen::Map<const Vec3>(scale->data());
+  return pose;
+}
+
 std::vector<GltfNode> scene_nodes(const GltfFile& file) {
   const auto list = file.document.find("nodes");
   const std::size_t count = list != file.document.end() && list->is_array() ? list->size() : 0;
@@ -53,7 +54,7 @@ std::vector<GltfNode> scene_nodes(const GltfFile& file) {
     if (seen[number]) fail(file, fmt::format("node {} hangs on two others", number));
     seen[number] = true;
     const Mat4 local = local_matrix(file, node);
-    nodes.push_back({number, parent, parent ? Mat4(nodes[*parent].world * local) : local});
+    nodes.push_back({number, parent, local, parent ? Mat4(nodes[*parent].world * local) : local});
   };
   for (const std::size_t number : nodes_at_the_top(file, count)) add(number, {});
   for (std::size_t i = 0; i < nodes.size(); ++i) {

@@ -9,8 +9,12 @@ namespace homolog {
 struct GltfNode {
   std::size_t number;                 ///< in the document's "nodes"
   std::optional<std::size_t> parent;  ///< in the list of nodes of the scene
-  Mat4 world;                         ///< world_from_node, of homogeneous columns
+  Mat4 local;                         ///< parent_from_node, of homogeneous columns
+  Mat4 world;                         ///< world_from_node
 };
+
+/// What a node says by its translation, rotation and scale. Throws FileError.
+Pose stated_pose(const GltfFile& file, const nlohmann::json& node);
 
 /// The nodes of the scene that the file shows (all nodes if it names no scene), parents first. Throws FileError, also for nodes that have
 /// two parents or none at the top.

@@ -5,8 +5,8 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/gltf_table.h"
+#include "homolog/shape/read_gltf_animations.h"
 #include "homolog/shape/read_gltf_materials.h"
-#include "homolog/shape/read_gltf_rig.h"
 #include "homolog/shape/srgb.h"
 
 namespace homolog {
@@ -35,6 +35,7 @@ struct Reader {
   GltfRig rig;
   std::size_t most_triangles;
   AttributedMesh mesh;
+  TargetsOfNodes targets = {};
   bool has_colours = false, has_weaker_weights = false;
 };
 
@@ -48,6 +49,7 @@ struct Block {
 
 /// A mesh of the file as a node shows it.
 struct Instance {
+  std::size_t node;
   const json& mesh;
   Mat4 world;
   std::optional<std::vector<std::uint16_t>> joints;  ///< of its skin
@@ -146,6 +148,8 @@ void append_shape_keys(Reader& reader, const Instance& instance, const json& pri
   const json& targets = list_at(primitive, "targets");
   for (std::size_t k = 0; k < targets.size(); ++k) {
     ShapeKey& key = key_of(reader, instance, k);
+    std::vector<std::size_t>& of_node = reader.targets[instance.node];
+    if (of_node.size() == k) of_node.push_back(static_cast<std::size_t>(&key - reader.mesh.shape_keys.data()));
     if (reader.mesh.shape_keys.size() * (first + vertices) > most_displacements) {
       throw FileError(fmt::format("{}: its shape keys hold more than the {} displacements that are read; leave some out", reader.file.name,
                                   most_displacements));
@@ -208,7 +212,7 @@ void append_nodes(Reader& reader, const std::vector<GltfNode>& nodes) {
     const auto mesh = number_at(reader.file, content, "mesh");
     if (!mesh) continue;
     const auto skin = number_at(reader.file, content, "skin");
-    Instance instance{entry(reader.file, "meshes", *mesh), node.world, {}, {}};
+    Instance instance{node.number, entry(reader.file, "meshes", *mesh), node.world, {}, {}};
     if (skin) instance.joints = reader.rig.add_skin(*skin, node.world);
     for (const json& primitive : list_at(instance.mesh, "primitives")) append_primitive(reader, instance, primitive);
   }
@@ -224,7 +228,6 @@ void complete(Reader& reader) {
   if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");
   if (reader.has_weaker_weights) mesh.left_out.emplace_back("all but the strongest eight weights of a vertex");
   if (mesh.texturing.uvs.empty() && mesh.texturing.materials.empty()) mesh.texturing = {};
-  if (!list_at(reader.file.document, "animations").empty()) mesh.left_out.emplace_back("its animations");
 }
 
 }  // namespace
@@ -237,6 +240,7 @@ AttributedMesh read_gltf_attributes(std::string_view content, const std::string&
   read_gltf_materials(gltf, find_other, reader.mesh);
   append_nodes(reader, nodes);
   complete(reader);
+  read_gltf_animations(gltf, {nodes, reader.rig, reader.mesh.shape_keys, reader.targets}, reader.mesh);
   for (const Vec3& vertex : reader.mesh.mesh.vertices) {
     if (!vertex.allFinite()) fail(gltf, "a coordinate is not a finite number");
   }

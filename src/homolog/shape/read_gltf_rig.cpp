@@ -46,6 +46,11 @@ std::vector<Joint> GltfRig::joints() const {
   return joints;
 }
 
+std::optional<std::size_t> GltfRig::joint_of(std::size_t node) const {
+  const auto found = number_of_.find(node);
+  return found == number_of_.end() ? std::nullopt : std::optional<std::size_t>(found->second);
+}
+
 GltfInfluences read_gltf_influences(const GltfFile& file, const nlohmann::json& attributes, std::size_t vertices,
                                     const std::vector<std::uint16_t>& joints) {
   std::vector<std::vector<Influence>> all(vertices);

@@ -19,6 +19,9 @@ class GltfRig {
   /// Gives every joint its parent.
   std::vector<Joint> joints() const;
 
+  /// The number of the joint that a node of the document is; none if it is not one.
+  std::optional<std::size_t> joint_of(std::size_t node) const;
+
   /// Whether a joint was bound in two ways, of which the first is kept.
   bool is_bound_twice() const { return bound_twice_; }
 

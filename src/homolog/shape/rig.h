@@ -2,6 +2,7 @@
 // What moves a mesh: joints with their weights, and shape keys.
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 #include <string>
@@ -32,6 +33,9 @@ struct Rig {
   std::vector<Influences> influences;  ///< of every vertex
 };
 
+/// parent_from_joint where the mesh is as it is; mesh_from_joint of a joint without a parent.
+Mat4 local_bind(const Rig& rig, std::size_t joint);
+
 /// The strongest ones, at most `most` (up to eight), those of one joint as one, so that their sum is 1; all 0 if none is positive. Of equal
 /// ones those of the first joints.
 Influences strongest_influences(std::vector<Influence> influences, std::size_t most = few_influences);
@@ -44,6 +48,26 @@ struct ShapeKey {
   std::string name;
   double weight = 0;                ///< how far the file has it applied, 0: not
   std::vector<Vec3> displacements;  ///< of every vertex
+};
+
+/// Where a joint stands in its parent: scaled, then turned, then shifted.
+struct Pose {
+  Vec3 shift = Vec3::Zero();
+  Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+  Vec3 scale = Vec3::Ones();
+};
+
+Mat4 matrix_of(const Pose& pose);
+
+/// The pose nearest to a matrix, which cannot shear. Axes that it draws to nothing stay where they are, with scale 0.
+Pose pose_of(const Mat4& matrix);
+
+/// How joints and shape keys move; between two times in a straight line, turns along the shorter arc.
+struct Animation {
+  std::string name;
+  std::vector<double> times;                 ///< in seconds, from 0 on, ascending, each another float
+  std::vector<std::vector<Pose>> poses;      ///< of every joint at every time, in its parent; in the mesh's coordinates if it has none
+  std::vector<std::vector<double>> weights;  ///< of every shape key at every time
 };
 
 }  // namespace homolog
