@@ -47,11 +47,11 @@ std::string told(const char* name, const std::string& from, const std::string& t
 void write_maps(const ResultFolder& folder, const StoredFamily& family, int match, const Mesh& model, const Mesh& data,
                 const DenseMaps& maps) {
   const std::vector<Colour> colours = position_colours(model);
-  folder.write({{"data_from_model.csv", dense_csv(maps.data_from_model)},
-                {"model_from_data.csv", dense_csv(maps.model_from_data)},
-                {"model.dense.ply", dense_ply(model, maps.data_from_model, colours)},
-                {"data.dense.ply", dense_ply(data, maps.model_from_data, carried_colours(maps.model_from_data, model, colours))},
-                {"dense.json", dense_json(family, match, maps)}});
+  folder.write({{"data_from_model.csv", whole(dense_csv(maps.data_from_model))},
+                {"model_from_data.csv", whole(dense_csv(maps.model_from_data))},
+                {"model.dense.ply", whole(dense_ply(model, maps.data_from_model, colours))},
+                {"data.dense.ply", whole(dense_ply(data, maps.model_from_data, carried_colours(maps.model_from_data, model, colours)))},
+                {"dense.json", whole(dense_json(family, match, maps))}});
 }
 
 int run_dense(const DenseOptions& options) {

@@ -45,22 +45,22 @@ MatchParts nothing_covered(const DescribedFile& model, const DescribedFile& data
   return {{std::vector<float>(model.mesh.vertices.size(), 0), {}}, {std::vector<float>(data.mesh.vertices.size(), 0), {}}};
 }
 
-std::vector<std::pair<std::string, std::string>> result_files(const DescribedFile& model, const DescribedFile& data, const Family& family,
-                                                              const Params& params, const std::string& json) {
+void write_results(const ResultFolder& folder, const DescribedFile& model, const DescribedFile& data, const Family& family,
+                   const Params& params, const std::string& json) {
   const Match best = family.matches.empty() ? Match{} : family.matches.front();
   const auto on_model = model_landmarks(best), on_data = data_landmarks(best);
   const ThreadLimit limit(params.threads);
   const std::vector<MatchParts> parts = covered_parts(model.meshed(), data.meshed(), family.matches);
   const MatchParts part = parts.empty() ? nothing_covered(model, data) : parts.front();
-  return {{"match.json", json},
-          {"parts.json", parts_json(model.meshed(), data.meshed(), parts)},
-          {"model.part.ply", part_ply(model.mesh, part.model.vertices)},
-          {"data.part.ply", part_ply(data.mesh, part.data.vertices)},
-          {"model.landmarks.csv", landmarks_csv(on_model)},
-          {"data.landmarks.csv", landmarks_csv(on_data)},
-          {"model.mrk.json", landmarks_markups(on_model)},
-          {"data.mrk.json", landmarks_markups(on_data)},
-          {"report.html", match_report(model.meshed(), data.meshed(), family, parts, params)}};
+  folder.write({{"match.json", whole(json)},
+                {"parts.json", [&](const Sink& sink) { write_parts_json(model.meshed(), data.meshed(), parts, sink); }},
+                {"model.part.ply", [&](const Sink& sink) { write_part_ply(model.mesh, part.model.vertices, sink); }},
+                {"data.part.ply", [&](const Sink& sink) { write_part_ply(data.mesh, part.data.vertices, sink); }},
+                {"model.landmarks.csv", whole(landmarks_csv(on_model))},
+                {"data.landmarks.csv", whole(landmarks_csv(on_data))},
+                {"model.mrk.json", whole(landmarks_markups(on_model))},
+                {"data.mrk.json", whole(landmarks_markups(on_data))},
+                {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params))}});
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ int deliver(const DescribedFile& model, const DescribedFile& data, const Family&
             const ResultFolder& folder, Console& console) {
   console.stage("writing results");
   const std::string json = match_json(model.shape, data.shape, family, params);
-  if (folder.wanted()) folder.write(result_files(model, data, family, params, json));
+  if (folder.wanted()) write_results(folder, model, data, family, params, json);
   console.watch().lap("writing results", family.matches.size(), "matches");
   console.clear();
   std::string text = options.json ? json : family_table(family);

@@ -15,7 +15,8 @@ std::string family_table(const Family& family);
 /// At which stage the last candidate died, as a sentence.
 std::string why_nothing(const StageCounts& counts);
 
-/// Writes the files, prints the table or JSON, and returns the exit code. Everything is computed before anything is written.
+/// Writes the files, prints the table or JSON, and returns the exit code. Everything is computed before anything is written but the text
+/// of the largest files.
 int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
             const ResultFolder& folder, Console& console);
 

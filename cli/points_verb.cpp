@@ -52,10 +52,10 @@ int run_points(const PointsOptions& options) {
   const auto landmarks = point_landmarks(file.shape);
   const std::string json = points_json(file.shape, params);
   if (folder.wanted()) {
-    folder.write({{"points.json", json},
-                  {"points.csv", landmarks_csv(landmarks)},
-                  {"points.mrk.json", landmarks_markups(landmarks)},
-                  {"report.html", points_report(file.meshed(), params)}});
+    folder.write({{"points.json", whole(json)},
+                  {"points.csv", whole(landmarks_csv(landmarks))},
+                  {"points.mrk.json", whole(landmarks_markups(landmarks))},
+                  {"report.html", whole(points_report(file.meshed(), params))}});
   }
   console.watch().lap("writing results", landmarks.size(), "points");
   console.clear();

@@ -19,7 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// While it lives, Ctrl-C and its like do not stop the program: the few milliseconds of writing end with all files or none.
+/// While it lives, Ctrl-C and its like do not stop the program: the moment of writing, seconds for millions of triangles, ends with all
+/// files or none.
 class Uninterrupted {
  public:
   Uninterrupted() {
@@ -94,9 +95,9 @@ ResultFolder::ResultFolder(fs::path path) : path_(std::move(path)) {
   if (!path_.empty()) require_writable(path_);
 }
 
-void ResultFolder::write(const std::vector<std::pair<std::string, std::string>>& files) const {
-  std::vector<OutputFile> outputs;
-  for (const auto& [name, contents] : files) outputs.push_back({path_ / name, contents});
+void ResultFolder::write(const std::vector<std::pair<std::string, Writing>>& files) const {
+  std::vector<StreamedFile> outputs;
+  for (const auto& [name, writing] : files) outputs.push_back({path_ / name, writing});
   const Uninterrupted uninterrupted;
   MadeFolders made(path_);
   const Locked locked(path_);

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "homolog/outputs/sink.h"
+
 namespace homolog::cli {
 
 class ResultFolder {
@@ -18,8 +20,8 @@ class ResultFolder {
   bool wanted() const { return !path_.empty(); }
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
 
-  /// Makes the folder and writes (name, contents) pairs, all or none. Throws OutputError.
-  void write(const std::vector<std::pair<std::string, std::string>>& files) const;
+  /// Makes the folder and writes files by their names in it, all or none. Throws OutputError.
+  void write(const std::vector<std::pair<std::string, Writing>>& files) const;
 
  private:
   std::filesystem::path path_;

@@ -16,7 +16,9 @@ std::string both_files() {
   model.surface = {{{0.1, 0.2, 0.3}, Vec3::UnitX()}, {{1, 2, 3}, Vec3::UnitX()}};
   const Mesh mesh{{{0, 0, 0}}, {}};
   const MatchParts part{{{1}, {1, 0.25f}}, {{0}, {}}};
-  return match_json(model, data, fixtures::family(model, data), {}) + '\0' + parts_json({mesh, model}, {mesh, data}, {part});
+  return match_json(model, data, fixtures::family(model, data), {}) + '\0' + text_of([&](const Sink& sink) {
+           write_parts_json({mesh, model}, {mesh, data}, {part}, sink);
+         });
 }
 
 std::string smallest() {

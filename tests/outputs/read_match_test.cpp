@@ -31,7 +31,9 @@ struct ReadFamily : testing::Test {
 
   void write_parts(int matches) {
     const MatchParts part{{{1}, {1, 0.25f}}, {{0}, {}}};
-    write_file(folder / "parts.json", parts_json({mesh, model}, {mesh, data}, std::vector<MatchParts>(matches, part)));
+    write_file(folder / "parts.json", text_of([&](const Sink& sink) {
+                 write_parts_json({mesh, model}, {mesh, data}, std::vector<MatchParts>(matches, part), sink);
+               }));
   }
   std::string message() const {
     try {

@@ -63,6 +63,17 @@ TEST_F(WriteFile, ChangesNothingWhenOneOfThemCannotBeWritten) {
   EXPECT_THAT(names(), UnorderedElementsAre("a", "b"));
 }
 
+TEST_F(WriteFile, ChangesNothingWhenMakingOneOfThemFailsHalfWay) {
+  write_file(folder / "a", "old");
+  const auto fail = [](const Sink& sink) {
+    sink("half");
+    throw ShapeError("no more");
+  };
+  EXPECT_THROW(write_files(std::vector<StreamedFile>{{folder / "a", whole("new")}, {folder / "b", fail}}), ShapeError);
+  EXPECT_EQ(read("a"), "old");
+  EXPECT_THAT(names(), UnorderedElementsAre("a"));
+}
+
 TEST_F(WriteFile, NamesTheFileAndTheReason) {
   write_file(folder / "file", "");
   try {

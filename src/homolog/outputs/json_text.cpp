@@ -15,22 +15,6 @@ std::string one_line(const ordered_json& value) {
   return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
 }
 
-/// A long list of plain values, as many on a line as fit.
-void append_filled(std::string& text, const ordered_json& list, const std::string& margin) {
-  text += '[';
-  std::size_t column = kLineLength;  // the first value begins a line
-  for (std::size_t i = 0; i < list.size(); ++i) {
-    const std::string item = one_line(list[i]) + (i + 1 < list.size() ? "," : "");
-    if (column + item.size() > kLineLength) {
-      text.append("\n").append(margin);
-      column = margin.size();
-    }
-    text += item;
-    column += item.size();
-  }
-  text.append("\n").append(margin, 1).append("]");
-}
-
 void append(std::string& text, const ordered_json& value, std::size_t indent) {
   const std::string line = one_line(value);
   if (!value.is_structured() || indent + line.size() <= kLineLength) {
@@ -39,7 +23,7 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
   }
   const std::string margin(indent + 1, ' ');
   if (value.is_array() && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); })) {
-    append_filled(text, value, margin);
+    text += json_list(value.size(), [&](std::size_t i) { return one_line(value[i]); }, indent);
     return;
   }
   text += value.is_object() ? '{' : '[';
@@ -56,10 +40,34 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
 
 }  // namespace
 
-std::string json_text(const ordered_json& value) {
+std::string json_text(const ordered_json& value) { return json_piece(value, 0) + "\n"; }
+
+std::string json_piece(const ordered_json& value, std::size_t indent) {
   std::string text;
-  append(text, value, 0);
-  return text + "\n";
+  append(text, value, indent);
+  return text;
+}
+
+std::string json_list(std::size_t count, const std::function<std::string(std::size_t)>& item, std::size_t indent) {
+  std::string line = "[";
+  for (std::size_t i = 0; i < count && line.size() < kLineLength; ++i) line.append(i > 0 ? "," : "").append(item(i));
+  line += ']';
+  if (indent + line.size() <= kLineLength) return line;
+  const std::string margin(indent + 1, ' ');
+  std::string text = "[";
+  std::size_t column = kLineLength;  // the first value begins a line
+  for (std::size_t i = 0; i < count; ++i) {  // as many on a line as fit
+    const std::string value = item(i);
+    const std::size_t length = value.size() + (i + 1 < count ? 1 : 0);
+    if (column + length > kLineLength) {
+      text.append("\n").append(margin);
+      column = margin.size();
+    }
+    text += value;
+    if (i + 1 < count) text += ',';
+    column += length;
+  }
+  return text.append("\n").append(margin, 1).append("]");
 }
 
 }  // namespace homolog

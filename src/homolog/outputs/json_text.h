@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <string>
 
@@ -14,6 +15,12 @@
 namespace homolog {
 
 std::string json_text(const nlohmann::ordered_json& value);
+
+/// The same as a piece of a larger text, on a line that begins `indent` characters in; without a line's end.
+std::string json_piece(const nlohmann::ordered_json& value, std::size_t indent);
+
+/// A list of plain values laid out like this, from the text item(i) of each, so that millions of them need no JSON values.
+std::string json_list(std::size_t count, const std::function<std::string(std::size_t)>& item, std::size_t indent);
 
 /// What `read` makes of a file's JSON. Whatever the library objects to becomes a FileError that names the file and what it should be.
 template <class Read>

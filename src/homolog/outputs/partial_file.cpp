@@ -39,21 +39,9 @@ bool was_removed(int file) {
   return fstat(file, &status) == 0 && status.st_nlink == 0;
 }
 
-/// Whether everything arrived; some file systems tell only when a file is closed.
-bool write_all(int file, std::string_view contents) {
-  while (!contents.empty()) {
-    const ssize_t written = write(file, contents.data(), contents.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    contents.remove_prefix(static_cast<std::size_t>(written));
-  }
-  const int again = dup(file);
-  return again >= 0 && close(again) == 0;
-}
-
 }  // namespace
 
-PartialFile::PartialFile(fs::path path, std::string_view contents) : path_(std::move(path)) {
+PartialFile::PartialFile(fs::path path) : path_(std::move(path)) {
   if (std::error_code ignored; fs::is_directory(path_, ignored)) fail(path_, "a folder has this name");
   while (file_ < 0) {
     partial_ = partial_name(path_);
@@ -63,16 +51,25 @@ PartialFile::PartialFile(fs::path path, std::string_view contents) : path_(std::
     flock(file_, LOCK_EX);
     if (was_removed(file_)) close(std::exchange(file_, -1));
   }
-  if (write_all(file_, contents)) return;
-  const int error = errno;
-  unlink(partial_.c_str());
-  close(file_);
-  fail(path_, reason_of(error));
 }
 
 PartialFile::~PartialFile() {
   if (!partial_.empty()) unlink(partial_.c_str());
   close(file_);
+}
+
+void PartialFile::append(std::string_view piece) {
+  while (!piece.empty()) {
+    const ssize_t written = write(file_, piece.data(), piece.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) fail(path_, reason_of(errno));
+    piece.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+void PartialFile::complete() {
+  const int again = dup(file_);
+  if (again < 0 || close(again) != 0) fail(path_, reason_of(errno));
 }
 
 void PartialFile::rename() {

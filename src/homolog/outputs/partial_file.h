@@ -9,13 +9,17 @@ namespace homolog {
 
 class PartialFile {
  public:
-  /// Writes all of it, and still leaves what lies at `path` as it is. Throws OutputError.
-  PartialFile(std::filesystem::path path, std::string_view contents);
+  /// An empty one, which leaves what lies at `path` as it is. Throws OutputError.
+  explicit PartialFile(std::filesystem::path path);
   /// Removes it, unless it has got its name.
   ~PartialFile();
   PartialFile(const PartialFile&) = delete;
   PartialFile& operator=(const PartialFile&) = delete;
 
+  /// Throws OutputError.
+  void append(std::string_view piece);
+  /// Throws OutputError unless all of it arrived; some file systems tell only when a file is closed.
+  void complete();
   /// Gives it the name `path`. Throws OutputError.
   void rename();
 

@@ -13,14 +13,25 @@ using nlohmann::ordered_json;
 
 const Vec3 surface_colour(204, 212, 219), part_colour(51, 168, 158);  // as in the report
 
-ordered_json weights_json(const std::vector<float>& weights) {
-  ordered_json list = ordered_json::array();
-  for (const float weight : weights) list.push_back(std::round(1000 * static_cast<double>(weight)) / 1000);
-  return list;
+/// To three digits.
+std::string weights_json(const std::vector<float>& weights, std::size_t indent) {
+  static const std::vector<std::string> texts = [] {
+    std::vector<std::string> list;
+    for (int k = 0; k <= 1000; ++k) list.push_back(ordered_json(k / 1000.0).dump());
+    return list;
+  }();
+  const auto text = [&](std::size_t i) { return texts[static_cast<std::size_t>(std::lround(1000 * static_cast<double>(weights[i])))]; };
+  return json_list(weights.size(), text, indent);
 }
 
-ordered_json weights_json(const PartWeights& part) {
-  return {{"vertices", weights_json(part.vertices)}, {"samples", weights_json(part.samples)}};
+/// `indent`: of the line that it stands on.
+void write_weights(const PartWeights& part, std::size_t indent, const Sink& sink) {
+  const std::string margin(indent + 1, ' ');
+  sink("{\n" + margin + "\"vertices\": ");
+  sink(weights_json(part.vertices, indent + 1));
+  sink(",\n" + margin + "\"samples\": ");
+  sink(weights_json(part.samples, indent + 1));
+  sink("\n" + std::string(indent, ' ') + "}");
 }
 
 ordered_json side_json(const MeshedShape& side) {
@@ -31,24 +42,29 @@ ordered_json side_json(const MeshedShape& side) {
 
 }  // namespace
 
-std::string parts_json(const MeshedShape& model, const MeshedShape& data, const std::vector<MatchParts>& parts) {
-  ordered_json json = {{"format", "homolog-parts"}, {"version", 1}, {"program", "homolog " HOMOLOG_VERSION}};
-  json["model"] = side_json(model);
-  json["data"] = side_json(data);
-  json["matches"] = ordered_json::array();
-  for (const MatchParts& part : parts) json["matches"].push_back({{"model", weights_json(part.model)}, {"data", weights_json(part.data)}});
-  return json_text(json);
+void write_parts_json(const MeshedShape& model, const MeshedShape& data, const std::vector<MatchParts>& parts, const Sink& sink) {
+  sink("{\n \"format\": \"homolog-parts\",\n \"version\": 1,\n \"program\": \"homolog " HOMOLOG_VERSION "\",\n");
+  sink(" \"model\": " + json_piece(side_json(model), 1) + ",\n");
+  sink(" \"data\": " + json_piece(side_json(data), 1) + ",\n \"matches\": [");
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    sink(i > 0 ? ",\n  {\n   \"model\": " : "\n  {\n   \"model\": ");
+    write_weights(parts[i].model, 3, sink);
+    sink(",\n   \"data\": ");
+    write_weights(parts[i].data, 3, sink);
+    sink("\n  }");
+  }
+  sink(parts.empty() ? "]\n}\n" : "\n ]\n}\n");
 }
 
-std::string part_ply(const Mesh& mesh, const std::vector<float>& weights) {
+void write_part_ply(const Mesh& mesh, const std::vector<float>& weights, const Sink& sink) {
   std::vector<Colour> colours;
   for (const float weight : weights) {
     const Vec3 mixed = surface_colour + weight * (part_colour - surface_colour);
     colours.push_back({});
     for (int k = 0; k < 3; ++k) colours.back()[k] = static_cast<std::uint8_t>(std::lround(mixed[k]));
   }
-  return ply_text(mesh, colours, {{"quality", std::vector<double>(weights.begin(), weights.end())}},
-                  "quality: weight of the covered part, 0 to 1");
+  write_ply(mesh, colours, {{"quality", std::vector<double>(weights.begin(), weights.end())}}, "quality: weight of the covered part, 0 to 1",
+            sink);
 }
 
 }  // namespace homolog

@@ -11,17 +11,16 @@
 // that store a vertex once per face (STL, glTF) count each place once, in the order of first occurrence.
 #pragma once
 
-#include <string>
-
 #include "homolog/homolog.h"
 #include "homolog/match/coverage.h"
+#include "homolog/outputs/sink.h"
 
 namespace homolog {
 
 /// `parts` as covered_parts() made them.
-std::string parts_json(const MeshedShape& model, const MeshedShape& data, const std::vector<MatchParts>& parts);
+void write_parts_json(const MeshedShape& model, const MeshedShape& data, const std::vector<MatchParts>& parts, const Sink& sink);
 
 /// The mesh as PLY, grey with its covered part in teal; the weights, one a vertex, as property `quality`.
-std::string part_ply(const Mesh& mesh, const std::vector<float>& weights);
+void write_part_ply(const Mesh& mesh, const std::vector<float>& weights, const Sink& sink);
 
 }  // namespace homolog

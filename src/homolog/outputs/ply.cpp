@@ -9,6 +9,8 @@
 namespace homolog {
 namespace {
 
+constexpr std::size_t piece = 1 << 16;  // bytes that are passed on together
+
 std::string header(const Mesh& mesh, bool coloured, const std::vector<VertexColumn>& columns, const std::string& comment) {
   std::string text = fmt::format("ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n", comment, mesh.vertices.size());
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);
@@ -31,19 +33,33 @@ void write_value(std::string& text, const VertexColumn& column, std::size_t i) {
 
 }  // namespace
 
-std::string ply_text(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns,
-                     const std::string& comment) {
+void write_ply(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns, const std::string& comment,
+               const Sink& sink) {
   std::string text = header(mesh, !colours.empty(), columns, comment);
-  auto out = std::back_inserter(text);
+  const auto out = std::back_inserter(text);
+  const auto pass_on = [&](std::size_t least) {
+    if (text.size() < least) return;
+    sink(text);
+    text.clear();
+  };
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& v = mesh.vertices[i];
     fmt::format_to(out, "{} {} {}", v.x(), v.y(), v.z());
     if (!colours.empty()) fmt::format_to(out, " {} {} {}", colours[i][0], colours[i][1], colours[i][2]);
     for (const VertexColumn& column : columns) write_value(text, column, i);
     text += '\n';
+    pass_on(piece);
   }
-  for (const auto& [a, b, c] : mesh.triangles) fmt::format_to(out, "3 {} {} {}\n", a, b, c);
-  return text;
+  for (const auto& [a, b, c] : mesh.triangles) {
+    fmt::format_to(out, "3 {} {} {}\n", a, b, c);
+    pass_on(piece);
+  }
+  pass_on(0);
+}
+
+std::string ply_text(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns,
+                     const std::string& comment) {
+  return text_of([&](const Sink& sink) { write_ply(mesh, colours, columns, comment, sink); });
 }
 
 }  // namespace homolog

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "homolog/outputs/sink.h"
 #include "homolog/shape/mesh.h"
 
 namespace homolog {
@@ -22,6 +23,8 @@ using Colour = std::array<std::uint8_t, 3>;  ///< red, green, blue
 
 /// PLY 1.0 in ASCII: vertices in their order with all digits, colours unless there are none, columns as properties, triangles.
 /// `comment` is one line.
+void write_ply(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns, const std::string& comment,
+               const Sink& sink);
 std::string ply_text(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns,
                      const std::string& comment);
 

@@ -9,18 +9,27 @@
 
 namespace homolog {
 
-void write_files(const std::vector<OutputFile>& files) {
+void write_files(const std::vector<StreamedFile>& files) {
   std::set<std::filesystem::path> folders;
-  for (const OutputFile& file : files) folders.insert(file.path.parent_path());
+  for (const StreamedFile& file : files) folders.insert(file.path.parent_path());
   for (const std::filesystem::path& folder : folders) remove_leftovers(folder);
   std::list<PartialFile> partial;
-  for (const OutputFile& file : files) partial.emplace_back(file.path, file.contents);
+  for (const StreamedFile& file : files) {
+    PartialFile& made = partial.emplace_back(file.path);
+    file.writing([&](std::string_view piece) { made.append(piece); });
+    made.complete();
+  }
   for (PartialFile& file : partial) file.rename();
 }
 
+void write_files(const std::vector<OutputFile>& files) {
+  std::vector<StreamedFile> streamed;
+  for (const OutputFile& file : files) streamed.push_back({file.path, [&](const Sink& sink) { sink(file.contents); }});
+  write_files(streamed);
+}
+
 void write_file(const std::filesystem::path& path, std::string_view contents) {
-  remove_leftovers(path.parent_path());
-  PartialFile(path, contents).rename();
+  write_files(std::vector<StreamedFile>{{path, [&](const Sink& sink) { sink(contents); }}});
 }
 
 }  // namespace homolog

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "homolog/outputs/sink.h"
+
 namespace homolog {
 
 struct OutputFile {
@@ -14,8 +16,15 @@ struct OutputFile {
   std::string contents;
 };
 
+/// A file that is made while it is written.
+struct StreamedFile {
+  std::filesystem::path path;
+  Writing writing;
+};
+
 /// Writes all files or none: no name changes before every byte is on the disk. Throws OutputError and leaves no temporary file; what a
 /// killed writer left in the same folders is removed.
+void write_files(const std::vector<StreamedFile>& files);
 void write_files(const std::vector<OutputFile>& files);
 
 /// Writes one file in the same way.
