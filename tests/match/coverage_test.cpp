@@ -113,6 +113,59 @@ TEST(CoveredParts, AreNothingOfAShapeElsewhere) {
   EXPECT_EQ(most(parts.data.samples), 0);
 }
 
+double mean_difference(const std::vector<float>& a, const std::vector<float>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += std::abs(a[i] - b[i]);
+  return sum / static_cast<double>(a.size());
+}
+
+struct ByBoth {
+  MatchParts all, clusters;
+};
+
+/// Parts asked at all vertices of meshes finer than the voxels, and at their clusters.
+ByBoth parts_by_both(const Mesh& model, const Shape& model_shape, const Mesh& data, const fixtures::Similarity& similarity) {
+  const Shape data_shape = shape_of(data);
+  const auto parts = [&](std::size_t most_asked) {
+    return covered_parts({model, model_shape}, {data, data_shape}, {match_by(similarity)}, most_asked).front();
+  };
+  return {parts(model.vertices.size() + data.vertices.size()), parts(0)};
+}
+
+TEST(CoveredParts, AskedAtClustersAreAllOfAShapeFoundAgain) {
+  const Mesh model = fixtures::mesh_of(fixtures::hand(), 3 * resolution);
+  const MatchParts parts = parts_by_both(model, shape_of(model), moved(model, turn), turn).clusters;
+  EXPECT_EQ(parts.model.vertices.size(), model.vertices.size());
+  EXPECT_EQ(least(parts.model.vertices), 1);
+  EXPECT_EQ(least(parts.data.vertices), 1);
+}
+
+TEST(CoveredParts, AskedAtClustersDifferFromThoseOfAllVerticesOnlyAtTheBorder) {
+  const Mesh model = fixtures::mesh_of(fixtures::cylinder({0, 0, 0}, {1, 0, 0}, 0.3), 3 * resolution);
+  const Mesh whole = fixtures::mesh_of(fixtures::cylinder({0, 0, 0}, {2, 0, 0}, 0.3), 6 * resolution);
+  const auto [all, clusters] = parts_by_both(model, shape_of(model), moved(whole, turn), turn);
+  const double voxel = 2.0 / resolution;
+  for (std::size_t i = 0; i < whole.vertices.size(); ++i) {
+    const double difference = std::abs(all.data.vertices[i] - clusters.data.vertices[i]);
+    EXPECT_LT(difference, std::abs(whole.vertices[i].x() - 1) > 2 * voxel ? 1e-6 : 0.4) << whole.vertices[i].transpose() / voxel;
+  }
+  EXPECT_LT(mean_difference(all.data.vertices, clusters.data.vertices), 0.01);
+  EXPECT_LT(mean_difference(all.model.vertices, clusters.model.vertices), 0.01);
+  EXPECT_LT(mean_difference(all.data.samples, clusters.data.samples), 0.01);
+}
+
+TEST(CoveredParts, AskedAtClustersEndWhereThePartInUseEnds) {
+  const Mesh model = fixtures::mesh_of(fixtures::quadruped(), 3 * resolution);
+  const Shape shape = shape_of(model, Box{Vec3(0.5, 0, 0), Vec3(1, 1, 1)});
+  const MatchParts parts = parts_by_both(model, shape, moved(model, turn), turn).clusters;
+  const Box whole = bounding_box(model);
+  const double border = (whole.min.x() + whole.max.x()) / 2, voxel = shape.interior.frame.spacing;
+  for (std::size_t i = 0; i < model.vertices.size(); ++i) {
+    const double beyond = (border - model.vertices[i].x()) / voxel;
+    if (std::abs(beyond) > 2) EXPECT_EQ(parts.model.vertices[i], beyond < 0 ? 1 : 0) << beyond;
+  }
+}
+
 TEST(CoveredParts, AreNoneWithoutMatches) {
   const Mesh model = fixtures::mesh_of(fixtures::hand(), resolution);
   const Shape shape = shape_of(model);

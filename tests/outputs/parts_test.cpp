@@ -56,10 +56,10 @@ TEST(PartPly, ShowsWeightsAsColoursAndAsNumbers) {
 }
 
 TEST(WeightsForPage, AreMeansOverWhatBecomesOneVertex) {
-  const DrawnMesh drawn = mesh_to_draw(square);
+  const ClusteredMesh drawn = mesh_to_draw(square);
   ASSERT_EQ(drawn.mesh.vertices.size(), 4u);
-  EXPECT_EQ(drawn.drawn_vertex[1], drawn.drawn_vertex[4]);
-  EXPECT_EQ(drawn.drawn_vertex[5], DrawnMesh::nowhere);
+  EXPECT_EQ(drawn.cluster[1], drawn.cluster[4]);
+  EXPECT_EQ(drawn.cluster[5], ClusteredMesh::nowhere);
   EXPECT_EQ(weights_for_page(drawn, {0, 1, 0, 0, 0, 1}).size(), 8u);  // four bytes
   EXPECT_EQ(weights_for_page(drawn, {1, 1, 1, 1, 1, 0}), "/////w==");
 }

@@ -44,14 +44,14 @@ std::vector<T> numbers(const nlohmann::ordered_json& text) {
 TEST(ReportMesh, EqualVerticesBecomeOneAndUnusedOnesGo) {
   Mesh mesh = torn(meshes::box({0, 0, 0}, {1, 2, 3}));
   mesh.vertices.emplace_back(0.5, 0.5, 0.5);
-  const DrawnMesh result = mesh_to_draw(mesh);
+  const ClusteredMesh result = mesh_to_draw(mesh);
   const Mesh& drawn = result.mesh;
   EXPECT_EQ(drawn.vertices.size(), 8u);
   EXPECT_EQ(drawn.triangles.size(), 12u);
   EXPECT_NEAR(meshes::volume(drawn), 6, 1e-12);
-  ASSERT_EQ(result.drawn_vertex.size(), mesh.vertices.size());
-  EXPECT_EQ(result.drawn_vertex.back(), DrawnMesh::nowhere);
-  for (std::size_t i = 0; i + 1 < mesh.vertices.size(); ++i) EXPECT_EQ(drawn.vertices[result.drawn_vertex[i]], mesh.vertices[i]);
+  ASSERT_EQ(result.cluster.size(), mesh.vertices.size());
+  EXPECT_EQ(result.cluster.back(), ClusteredMesh::nowhere);
+  for (std::size_t i = 0; i + 1 < mesh.vertices.size(); ++i) EXPECT_EQ(drawn.vertices[result.cluster[i]], mesh.vertices[i]);
 }
 
 TEST(ReportMesh, LargeMeshesAreThinnedAndKeepTheirForm) {
@@ -76,7 +76,7 @@ TEST(ReportMesh, SizeAndPlaceDoNotMatter) {
 
 TEST(ReportMesh, ThePageReadsWhatWasMeant) {
   const Mesh box = meshes::box({10, 20, 30}, {11, 22, 33});
-  const DrawnMesh result = mesh_to_draw(box);
+  const ClusteredMesh result = mesh_to_draw(box);
   const Mesh& drawn = result.mesh;
   const nlohmann::ordered_json page = mesh_for_page(box, result);
   EXPECT_EQ(page["triangles"], 12);
@@ -94,7 +94,7 @@ TEST(ReportMesh, WeightsAreMeansOverWhatBecameOneVertex) {
   const Mesh mesh = torn(box);
   std::vector<float> weights(mesh.vertices.size());
   for (std::size_t i = 0; i < weights.size(); ++i) weights[i] = static_cast<float>(mesh.vertices[i].z());
-  const DrawnMesh drawn = mesh_to_draw(mesh);
+  const ClusteredMesh drawn = mesh_to_draw(mesh);
   const std::string bytes = decoded(weights_for_page(drawn, weights));
   ASSERT_EQ(bytes.size(), 8u);
   for (std::size_t i = 0; i < 8; ++i) EXPECT_EQ(static_cast<unsigned char>(bytes[i]), drawn.mesh.vertices[i].z() > 0.5 ? 255 : 0);

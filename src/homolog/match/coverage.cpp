@@ -4,15 +4,16 @@
 #include <algorithm>
 
 #include "homolog/base/parallel.h"
+#include "homolog/match/coarse_surface.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/local_map.h"
 #include "homolog/shape/nearest_surface.h"
-#include "homolog/shape/vertex_normals.h"
 
 namespace homolog {
 namespace {
 
-constexpr std::size_t run = 128;  // vertices that follow each other are mostly neighbours: the last answer is a good guess
+constexpr std::size_t run = 128;   // vertices that follow each other are mostly neighbours: the last answer is a good guess
+constexpr double cell_size = 0.5;  // voxels: at 1 the weights of vertices are off by twice as much
 
 /// Places with their outward normals.
 struct Places {
@@ -21,8 +22,12 @@ struct Places {
 
 /// One side of all matches: its places in its own coordinates, and where the part in use lies.
 struct Side {
-  Places vertices, samples;
+  const Mesh& mesh;
+  CoarseSurface surface;
+  Places samples;
   GridFrame frame;  ///< of the voxels, half a voxel around what was described
+
+  Places vertices() const { return {surface.mesh.vertices, surface.normals}; }
 };
 
 /// One side of one match in the data's coordinates.
@@ -31,8 +36,9 @@ struct LaidSide {
   NearestSurface surface;  ///< through the vertices
 };
 
-Side make_side(const MeshedShape& meshed) {
-  Side side{{meshed.mesh.vertices, vertex_normals(meshed.mesh)}, {}, meshed.shape.interior.frame};
+Side make_side(const MeshedShape& meshed, std::size_t most_asked) {
+  const GridFrame& frame = meshed.shape.interior.frame;
+  Side side{meshed.mesh, coarse_surface(meshed.mesh, cell_size * frame.spacing, most_asked), {}, frame};
   side.samples.positions = positions_of(meshed.shape.surface);
   for (const SurfaceSample& s : meshed.shape.surface) side.samples.normals.push_back(s.normal);
   return side;
@@ -53,10 +59,10 @@ Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
   return result;
 }
 
-LaidSide at_home(const Side& side, const Mesh& mesh) { return {side.vertices, side.samples, {mesh, side.vertices.normals}}; }
+LaidSide at_home(const Side& side) { return {side.vertices(), side.samples, {side.surface.mesh, side.surface.normals}}; }
 
 void lay(LaidSide& laid_side, const Side& side, const ThinPlateSpline& data_from_model) {
-  laid_side.vertices = laid(side.vertices, data_from_model);
+  laid_side.vertices = laid(side.vertices(), data_from_model);
   laid_side.samples = laid(side.samples, data_from_model);
   laid_side.surface.move(laid_side.vertices.positions, laid_side.vertices.normals);
 }
@@ -78,7 +84,7 @@ std::vector<float> weigh(const Places& places, const std::vector<Vec3>& home, co
       const auto place = other.nearest(x, normal, 2.5 * tolerance.reach, likely);
       if (!place) continue;
       likely = place->triangle;
-      if (!in_use(other_side, other.between(*place, other_side.vertices.positions))) continue;
+      if (!in_use(other_side, other.between(*place, other_side.surface.mesh.vertices))) continue;
       const double along = std::abs((place->position - x).dot(normal));
       const double beside = (place->position - x - (place->position - x).dot(normal) * normal).norm();
       weights[i] = static_cast<float>(fade(along / tolerance.reach, 1, 2) * fade(beside / (tolerance.voxel + along / 2), 0.5, 1.5));
@@ -87,9 +93,18 @@ std::vector<float> weigh(const Places& places, const std::vector<Vec3>& home, co
   return weights;
 }
 
+/// What the mesh's own vertices weigh.
+std::vector<float> vertex_weights(const Side& side, std::vector<float> weights) {
+  weights = values_between(side.surface, std::move(weights));
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!in_use(side, side.mesh.vertices[i])) weights[i] = 0;
+  }
+  return weights;
+}
+
 PartWeights weigh_both(const LaidSide& laid_side, const Side& side, const LaidSide& other, const Side& other_side,
                        const Tolerance& tolerance) {
-  return {weigh(laid_side.vertices, side.vertices.positions, side, other.surface, other_side, tolerance),
+  return {vertex_weights(side, weigh(laid_side.vertices, side.surface.mesh.vertices, side, other.surface, other_side, tolerance)),
           weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance)};
 }
 
@@ -100,11 +115,12 @@ double fade(double value, double full, double none) {
   return share * share * (3 - 2 * share);
 }
 
-std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches) {
+std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches,
+                                      std::size_t most_asked) {
   if (matches.empty()) return {};
-  const Side model_side = make_side(model), data_side = make_side(data);
-  const LaidSide laid_data = at_home(data_side, data.mesh);
-  LaidSide laid_model = at_home(model_side, model.mesh);
+  const Side model_side = make_side(model, most_asked), data_side = make_side(data, most_asked);
+  const LaidSide laid_data = at_home(data_side);
+  LaidSide laid_model = at_home(model_side);
   std::vector<MatchParts> parts;
   for (const Match& match : matches) {
     const double scale = match.similarity.scale;

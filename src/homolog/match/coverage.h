@@ -28,8 +28,10 @@ struct MatchParts {
 
 /// The parts of every match. A place is covered as far as the other surface, with the model's one warped, lies near along the place's
 /// normal (within 2 % of the matched extent), beside it by no more than a voxel and half that distance (so that nothing counts beyond
-/// the border of a part), and faces the same way (60 degrees). What lies outside the box of a part that was described weighs 0.
-std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches);
+/// the border of a part), and faces the same way (60 degrees). What lies outside the box of a part that was described weighs 0. A mesh of
+/// more than `most_asked` vertices is asked at clusters of them, half a voxel wide, and its vertices get what is between those.
+std::vector<MatchParts> covered_parts(const MeshedShape& model, const MeshedShape& data, const std::vector<Match>& matches,
+                                      std::size_t most_asked = 200000);
 
 /// 1 up to `full`, 0 from `none` on, smooth between.
 double fade(double value, double full, double none);

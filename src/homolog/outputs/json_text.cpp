@@ -23,7 +23,8 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
   }
   const std::string margin(indent + 1, ' ');
   if (value.is_array() && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); })) {
-    text += json_list(value.size(), [&](std::size_t i) { return one_line(value[i]); }, indent);
+    text += json_list(
+        value.size(), [&](std::size_t i) { return one_line(value[i]); }, indent);
     return;
   }
   text += value.is_object() ? '{' : '[';
@@ -55,7 +56,7 @@ std::string json_list(std::size_t count, const std::function<std::string(std::si
   if (indent + line.size() <= kLineLength) return line;
   const std::string margin(indent + 1, ' ');
   std::string text = "[";
-  std::size_t column = kLineLength;  // the first value begins a line
+  std::size_t column = kLineLength;          // the first value begins a line
   for (std::size_t i = 0; i < count; ++i) {  // as many on a line as fit
     const std::string value = item(i);
     const std::size_t length = value.size() + (i + 1 < count ? 1 : 0);

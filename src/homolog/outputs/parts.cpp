@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/outputs/parts.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
 #include "homolog/outputs/json_text.h"
@@ -26,12 +28,11 @@ std::string weights_json(const std::vector<float>& weights, std::size_t indent) 
 
 /// `indent`: of the line that it stands on.
 void write_weights(const PartWeights& part, std::size_t indent, const Sink& sink) {
-  const std::string margin(indent + 1, ' ');
-  sink("{\n" + margin + "\"vertices\": ");
+  sink(fmt::format("{{\n{:{}}\"vertices\": ", "", indent + 1));
   sink(weights_json(part.vertices, indent + 1));
-  sink(",\n" + margin + "\"samples\": ");
+  sink(fmt::format(",\n{:{}}\"samples\": ", "", indent + 1));
   sink(weights_json(part.samples, indent + 1));
-  sink("\n" + std::string(indent, ' ') + "}");
+  sink(fmt::format("\n{:{}}}}", "", indent));
 }
 
 ordered_json side_json(const MeshedShape& side) {
@@ -63,8 +64,8 @@ void write_part_ply(const Mesh& mesh, const std::vector<float>& weights, const S
     colours.push_back({});
     for (int k = 0; k < 3; ++k) colours.back()[k] = static_cast<std::uint8_t>(std::lround(mixed[k]));
   }
-  write_ply(mesh, colours, {{"quality", std::vector<double>(weights.begin(), weights.end())}}, "quality: weight of the covered part, 0 to 1",
-            sink);
+  write_ply(mesh, colours, {{"quality", std::vector<double>(weights.begin(), weights.end())}},
+            "quality: weight of the covered part, 0 to 1", sink);
 }
 
 }  // namespace homolog

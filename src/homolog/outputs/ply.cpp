@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/outputs/ply.h"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <iterator>
@@ -23,11 +24,11 @@ std::string header(const Mesh& mesh, bool coloured, const std::vector<VertexColu
 void write_value(std::string& text, const VertexColumn& column, std::size_t i) {
   const std::string_view type = column.type;
   if (type == "float") {
-    fmt::format_to(std::back_inserter(text), " {}", static_cast<float>(column.values[i]));
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {}"), static_cast<float>(column.values[i]));
   } else if (type == "double") {
-    fmt::format_to(std::back_inserter(text), " {}", column.values[i]);
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {}"), column.values[i]);
   } else {
-    fmt::format_to(std::back_inserter(text), " {}", static_cast<long long>(column.values[i]));
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {}"), static_cast<long long>(column.values[i]));
   }
 }
 
@@ -44,14 +45,14 @@ void write_ply(const Mesh& mesh, const std::vector<Colour>& colours, const std::
   };
   for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
     const Vec3& v = mesh.vertices[i];
-    fmt::format_to(out, "{} {} {}", v.x(), v.y(), v.z());
-    if (!colours.empty()) fmt::format_to(out, " {} {} {}", colours[i][0], colours[i][1], colours[i][2]);
+    fmt::format_to(out, FMT_COMPILE("{} {} {}"), v.x(), v.y(), v.z());
+    if (!colours.empty()) fmt::format_to(out, FMT_COMPILE(" {} {} {}"), colours[i][0], colours[i][1], colours[i][2]);
     for (const VertexColumn& column : columns) write_value(text, column, i);
     text += '\n';
     pass_on(piece);
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    fmt::format_to(out, "3 {} {} {}\n", a, b, c);
+    fmt::format_to(out, FMT_COMPILE("3 {} {} {}\n"), a, b, c);
     pass_on(piece);
   }
   pass_on(0);

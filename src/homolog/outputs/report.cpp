@@ -37,7 +37,7 @@ std::string page(const std::string& result, const ordered_json& meshes, const or
 
 std::string match_report(const MeshedShape& model, const MeshedShape& data, const Family& family, const std::vector<MatchParts>& parts,
                          const Params& params) {
-  const DrawnMesh drawn_model = mesh_to_draw(model.mesh), drawn_data = mesh_to_draw(data.mesh);
+  const ClusteredMesh drawn_model = mesh_to_draw(model.mesh), drawn_data = mesh_to_draw(data.mesh);
   ordered_json weights = ordered_json::array();
   for (const MatchParts& part : parts) {
     weights.push_back({weights_for_page(drawn_model, part.model.vertices), weights_for_page(drawn_data, part.data.vertices)});
