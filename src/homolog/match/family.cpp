@@ -192,14 +192,16 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
   const std::vector<Refined> refined = refine_all(sets, model, data, params, without_identity);
   std::vector<Refined> told = refined;
   std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
+  told = believed(std::move(told), model, data, without_identity);
+  std::vector<Match> matches(told.size());
+  parallel_for(told.size(), [&](std::size_t i) { matches[i] = match_of(told[i], model, data, params); });
   Family family;
-  for (const Refined& r : believed(std::move(told), model, data, without_identity)) {
+  for (std::size_t i = 0; i < told.size(); ++i) {
     if (static_cast<int>(family.matches.size()) == params.match.matches) break;
-    Match match = match_of(r, model, data, params);
-    if (match.pairs.size() < least_pairs) continue;
-    family.matches.push_back(std::move(match));
+    if (matches[i].pairs.size() < least_pairs) continue;
+    family.matches.push_back(std::move(matches[i]));
     number_followed(family, data);
-    if (is_ambiguous(r, refined, model, data)) family.matches.back().handedness = Handedness::ambiguous;
+    if (is_ambiguous(told[i], refined, model, data)) family.matches.back().handedness = Handedness::ambiguous;
   }
   return family;
 }

@@ -4,10 +4,12 @@
 #include <algorithm>
 
 #include "homolog/match/best_similarity.h"
+#include "homolog/match/draw_onto.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
 #include "homolog/match/trusted_pairs.h"
+#include "homolog/match/way_back.h"
 
 namespace homolog {
 namespace {
@@ -16,33 +18,8 @@ constexpr ClothSchedule first_draw{first_steps, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
-constexpr double near_share = 0.15;                                  // of the mapped model's extent
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
 constexpr double told_place = 0.05;                                  // extents: the least limit of pairs told in the end
-
-std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
-  std::vector<Anchor> anchors;
-  for (const Correspondence& c : pairs) anchors.push_back({body.point_node(c.model), c.data_point.position});
-  return anchors;
-}
-
-// The data's samples that the laid cloth can have to do with; the whole body's would draw parts apart.
-std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<SurfaceSample>& samples, double distance, std::size_t most) {
-  std::vector<SurfaceSample> near;
-  for (const SurfaceSample& s : samples) {
-    const bool is_near = std::any_of(cloth.nodes.begin(), cloth.nodes.end(),
-                                     [&](const Vec3& n) { return (n - s.position).squaredNorm() < distance * distance; });
-    if (is_near) near.push_back(s);
-    if (near.size() == most) break;
-  }
-  return near;
-}
-
-// The refined map as a spline through the cloth's nodes, so that any reader can apply it (Sec. 6.1).
-ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
-  const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
-  return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
-}
 
 // The similarity nearest to the map, over the skin. The spline's own is what is left when its bending is least: of another size if it
 // bends.
@@ -65,28 +42,22 @@ void weigh_again(Refined& refined, const Shape& model, const Shape& data, Descri
   for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, {})) refined.evidence.support += c.confidence;
 }
 
-void draw(Refined& refined, const Shape& model, const Shape& data, const ClothSchedule& schedule, std::size_t samples) {
-  const double extent = extent_of(refined.cloth, model, data);
-  const std::vector<SurfaceSample> near = samples_near(refined.cloth, data.surface, near_share * extent, samples);
-  if (!near.empty()) draw_cloth(refined.cloth, model.body, near, extent, anchors_of(refined.pairs, model.body), schedule);
-}
-
 }  // namespace
 
 Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
 
 void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end) {
-  draw(refined, model, data, steps_of(first_draw, begin, end), data_samples);
+  draw_onto(refined.cloth, model, data, refined.pairs, steps_of(first_draw, begin, end), data_samples);
   weigh_again(refined, model, data, kind);
 }
 
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   for (int round = 0; round < 2; ++round) {
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
-    draw(refined, model, data, next_draw, data_samples);
+    draw_onto(refined.cloth, model, data, refined.pairs, next_draw, data_samples);
   }
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
-  draw(refined, model, data, last_draw, last_data_samples);
+  draw_onto(refined.cloth, model, data, refined.pairs, last_draw, last_data_samples);
   weigh_again(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
@@ -96,7 +67,11 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
 Match match_of(const Refined& refined, const Shape& model, const Shape& data, const Params& params) {
   Match match;
   const double extent = extent_of(refined.cloth, model, data);
-  match.pairs = told_pairs(refined.pairs, followed_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data));
+  CorrespondenceSet rated = refined.pairs;
+  CorrespondenceSet followed = followed_pairs(rated, refined.cloth, merit_of(refined.evidence), extent, model, data);
+  const ThinPlateSpline model_from_data = way_back(refined.cloth, model, data);
+  for (CorrespondenceSet* pairs : {&rated, &followed}) rate_by_way_back(*pairs, model_from_data, extent / refined.cloth.scale);
+  match.pairs = told_pairs(std::move(rated), followed);
   describe_followed(match.pairs, model, data, params);
   match.data_from_model = spline_through(refined.cloth, model.body);
   match.similarity = similarity_of(refined.cloth, model.body);

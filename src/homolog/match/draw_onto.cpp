@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/match/draw_onto.h"
+
+#include <algorithm>
+
+#include "homolog/match/evidence.h"
+
+namespace homolog {
+namespace {
+
+constexpr double near_share = 0.15;  // of the mapped model's extent
+
+std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
+  std::vector<Anchor> anchors;
+  for (const Correspondence& c : pairs) anchors.push_back({body.point_node(c.model), c.data_point.position});
+  return anchors;
+}
+
+// The data's samples that the laid cloth can have to do with; the whole body's would draw parts apart.
+std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<SurfaceSample>& samples, double distance, std::size_t most) {
+  std::vector<SurfaceSample> near;
+  for (const SurfaceSample& s : samples) {
+    const bool is_near = std::any_of(cloth.nodes.begin(), cloth.nodes.end(),
+                                     [&](const Vec3& n) { return (n - s.position).squaredNorm() < distance * distance; });
+    if (is_near) near.push_back(s);
+    if (near.size() == most) break;
+  }
+  return near;
+}
+
+}  // namespace
+
+void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const CorrespondenceSet& pairs, const ClothSchedule& schedule,
+               std::size_t most) {
+  const double extent = extent_of(cloth, model, data);
+  const std::vector<SurfaceSample> near = samples_near(cloth, data.surface, near_share * extent, most);
+  if (!near.empty()) draw_cloth(cloth, model.body, near, extent, anchors_of(pairs, model.body), schedule);
+}
+
+ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
+  const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
+  return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
+}
+
+}  // namespace homolog

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "homolog/describe/shape.h"
+#include "homolog/match/cloth.h"
+#include "homolog/match/match.h"
+
+namespace homolog {
+
+/// draw_cloth() of a laid model by the data's surface near it, `most` samples of it, and by the data points of pairs.
+void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const CorrespondenceSet& pairs, const ClothSchedule& schedule,
+               std::size_t most);
+
+/// The map of a laid body as a spline through its nodes, so that any reader can apply it (Sec. 6.1).
+ThinPlateSpline spline_through(const Cloth& cloth, const Body& body);
+
+}  // namespace homolog
