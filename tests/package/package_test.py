@@ -103,20 +103,37 @@ class Completions(unittest.TestCase):
 
 class Package(unittest.TestCase):
     @needs("cpack", "dpkg-deb", "dpkg-shlibdeps")
-    def test_debian_package(self):
+    def test_debian_packages(self):
         with tempfile.TemporaryDirectory() as folder:
             output_of("cpack", "-G", "DEB", "-B", folder, cwd=BUILD)
-            (package,) = [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".deb")]
-            depends = output_of("dpkg-deb", "-f", package, "Depends")
+            packages = {name.split("_")[0]: os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".deb")}
+            self.assertEqual(set(packages), {"homolog", "libhomolog-dev"})
+            depends = {name: output_of("dpkg-deb", "-f", package, "Depends") for name, package in packages.items()}
             for library in ("libassimp", "libtbb", "libc6", "libstdc++6", "zlib1g"):
-                self.assertIn(library, depends)
-            files = [line.split()[-1].removeprefix("./") for line in output_of("dpkg-deb", "-c", package).splitlines()]
-            for name in ("bin/homolog", "share/man/man1/homolog.1", "share/bash-completion/completions/homolog", "share/doc/homolog/copyright",
-                         "share/zsh/vendor-completions/_homolog", "share/fish/vendor_completions.d/homolog.fish", "include/homolog/homolog.h"):
-                self.assertIn("usr/" + name, files)
-            self.assertEqual([name for name in files if not name.startswith("usr/")], [])
-            output_of("dpkg-deb", "-x", package, os.path.join(folder, "root"))
+                self.assertIn(library, depends["homolog"])
+            for library in ("libeigen3-dev", "libassimp-dev", "libtbb-dev", "libfmt-dev", "zlib1g-dev"):
+                self.assertIn(library, depends["libhomolog-dev"])
+            files = {name: [line.split()[-1].removeprefix("./") for line in output_of("dpkg-deb", "-c", package).splitlines()]
+                     for name, package in packages.items()}
+            for name in ("bin/homolog", "share/man/man1/homolog.1.gz", "share/bash-completion/completions/homolog",
+                         "share/zsh/vendor-completions/_homolog", "share/fish/vendor_completions.d/homolog.fish"):
+                self.assertIn("usr/" + name, files["homolog"])
+            for name in ("include/homolog/homolog.h", "lib/libhomolog.a", "lib/cmake/homolog/homologConfig.cmake"):
+                self.assertIn("usr/" + name, files["libhomolog-dev"])
+            for package, names in files.items():
+                for name in ("copyright", "changelog.gz"):
+                    self.assertIn(f"usr/share/doc/{package}/{name}", names)
+                self.assertEqual([name for name in names if not name.startswith("usr/")], [])
+            self.assertEqual([name for name in set(files["homolog"]) & set(files["libhomolog-dev"]) if not name.endswith("/")], [])
+            output_of("dpkg-deb", "-x", packages["homolog"], os.path.join(folder, "root"))
             self.assertRegex(output_of(os.path.join(folder, "root/usr/bin/homolog"), "--version"), r"^homolog \d")
+
+    @needs("cpack", "dpkg-deb", "dpkg-shlibdeps", "lintian")
+    def test_lintian_finds_nothing_wrong(self):
+        with tempfile.TemporaryDirectory() as folder:
+            output_of("cpack", "-G", "DEB", "-B", folder, cwd=BUILD)
+            packages = [os.path.join(folder, name) for name in os.listdir(folder) if name.endswith(".deb")]
+            output_of("lintian", "--allow-root", "--fail-on", "error,warning", *packages)
 
 
 if __name__ == "__main__":
