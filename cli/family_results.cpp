@@ -46,33 +46,36 @@ MatchParts nothing_covered(const DescribedFile& model, const DescribedFile& data
 }
 
 void write_results(const ResultFolder& folder, const DescribedFile& model, const DescribedFile& data, const Family& family,
-                   const Params& params, const std::string& json) {
+                   const Params& params, const std::string& json, const MoreResults& more) {
   const Match best = family.matches.empty() ? Match{} : family.matches.front();
   const auto on_model = model_landmarks(best), on_data = data_landmarks(best);
   const ThreadLimit limit(params.threads);
   const std::vector<MatchParts> parts = covered_parts(model.meshed(), data.meshed(), family.matches);
   const MatchParts part = parts.empty() ? nothing_covered(model, data) : parts.front();
-  folder.write({{"match.json", whole(json)},
-                {"parts.json", [&](const Sink& sink) { write_parts_json(model.meshed(), data.meshed(), parts, sink); }},
-                {"model.part.ply", [&](const Sink& sink) { write_part_ply(model.mesh, part.model.vertices, sink); }},
-                {"data.part.ply", [&](const Sink& sink) { write_part_ply(data.mesh, part.data.vertices, sink); }},
-                {"model.landmarks.csv", whole(landmarks_csv(on_model))},
-                {"data.landmarks.csv", whole(landmarks_csv(on_data))},
-                {"model.mrk.json", whole(landmarks_markups(on_model))},
-                {"data.mrk.json", whole(landmarks_markups(on_data))},
-                {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params))}});
+  std::vector<std::pair<std::string, Writing>> files = {
+      {"match.json", whole(json)},
+      {"parts.json", [&](const Sink& sink) { write_parts_json(model.meshed(), data.meshed(), parts, sink); }},
+      {"model.part.ply", [&](const Sink& sink) { write_part_ply(model.mesh, part.model.vertices, sink); }},
+      {"data.part.ply", [&](const Sink& sink) { write_part_ply(data.mesh, part.data.vertices, sink); }},
+      {"model.landmarks.csv", whole(landmarks_csv(on_model))},
+      {"data.landmarks.csv", whole(landmarks_csv(on_data))},
+      {"model.mrk.json", whole(landmarks_markups(on_model))},
+      {"data.mrk.json", whole(landmarks_markups(on_data))},
+      {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params))}};
+  for (const auto& [name, contents] : more.files) files.emplace_back(name, whole(contents));
+  folder.write(files);
 }
 
 }  // namespace
 
 int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
-            const ResultFolder& folder, Console& console) {
+            const ResultFolder& folder, Console& console, const MoreResults& more) {
   console.stage("writing results");
   const std::string json = match_json(model.shape, data.shape, family, params);
-  if (folder.wanted()) write_results(folder, model, data, family, params, json);
+  if (folder.wanted()) write_results(folder, model, data, family, params, json, more);
   console.watch().lap("writing results", family.matches.size(), "matches");
   console.clear();
-  std::string text = options.json ? json : family_table(family);
+  std::string text = options.json ? json : family_table(family) + more.text;
   if (folder.wanted() && !options.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
   print_result(text);
   if (!family.matches.empty()) return kFound;

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include "family_results.h"
+#include "homolog/base/parallel.h"
+#include "homolog/outputs/symmetry_text.h"
 #include "self_match.h"
 #include "verbs.h"
 
@@ -22,7 +24,11 @@ constexpr const char* kExamples = R"(Examples:
   # Symmetries and repeated parts of a bear
   homolog symmetry bear.off --out bear_symmetry
   # Mirror symmetries alone
-  homolog symmetry bear.off --mirror only)";
+  homolog symmetry bear.off --mirror only
+
+Under the table it says of each match what it does: the plane that mirrors the shape into itself, or how a part is scaled, turned and shifted
+to where it is repeated; and how far from the surface it then lies. A bent body has a plane, too, but lies far from it. The same stands in
+symmetry.json of the folder.)";
 
 }  // namespace
 
@@ -32,7 +38,12 @@ int match_with_itself(const std::string& path, const std::optional<Box>& part, c
   Console console(options.quiet, options.timing);
   const DescribedFile file = describe_file(path, part, params, options.limits, console, label);
   console.stage("matching");
-  return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console);
+  const Family family = find_symmetries(file.shape, params, &console.watch());
+  const ThreadLimit limit(params.threads);
+  const std::vector<Symmetry> symmetries =
+      symmetries_of(file.meshed(), family.matches, covered_parts(file.meshed(), file.meshed(), family.matches));
+  return deliver(file, file, family, params, options, folder, console,
+                 {symmetries_text(symmetries), {{"symmetry.json", symmetries_json(symmetries)}}});
 }
 
 Verb add_symmetry(CLI::App& program) {

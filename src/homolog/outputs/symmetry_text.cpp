@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/symmetry_text.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "homolog/outputs/json_text.h"
+
+namespace homolog {
+namespace {
+
+using nlohmann::ordered_json;
+
+constexpr double least_error = 1e-5;  // in diagonals; smaller ones are a matter of rounding
+
+/// Without the sign of a zero.
+double rounded(double x) { return std::round(x * 1e4) / 1e4 + 0.0; }
+
+std::string told(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
+
+std::string sentence(const Symmetry& symmetry) {
+  if (symmetry.mirror) {
+    const auto& [normal, offset] = *symmetry.mirror;
+    return fmt::format("mirrored in the plane {:.4f} x {:+.4f} y {:+.4f} z = {:.4g}", rounded(normal.x()), rounded(normal.y()),
+                       rounded(normal.z()), offset);
+  }
+  const auto& [scale, rotation, shift] = symmetry.movement;
+  const Eigen::AngleAxisd turn(rotation);
+  return fmt::format("repeated, {:.3f} times as large, turned by {:.1f} degrees about {}, then shifted by {}", scale,
+                     turn.angle() * 180 / M_PI, told(turn.axis()), told(shift));
+}
+
+ordered_json list_of(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
+ordered_json to_json(const Symmetry& symmetry) {
+  if (symmetry.mirror) {
+    return {
+        {"kind", "mirrored"}, {"normal", list_of(symmetry.mirror->normal)}, {"offset", symmetry.mirror->offset}, {"error", symmetry.error}};
+  }
+  const auto& [scale, rotation, shift] = symmetry.movement;
+  const Eigen::AngleAxisd turn(rotation);
+  return {{"kind", "repeated"},      {"scale", scale},         {"axis", list_of(turn.axis())}, {"degrees", turn.angle() * 180 / M_PI},
+          {"shift", list_of(shift)}, {"error", symmetry.error}};
+}
+
+}  // namespace
+
+std::string symmetries_text(const std::vector<Symmetry>& symmetries) {
+  std::string text;
+  for (std::size_t i = 0; i < symmetries.size(); ++i) {
+    text += fmt::format("{:4}  {}; it lies within {:.2g} % of the diagonal (root mean square)\n", i + 1, sentence(symmetries[i]),
+                        100 * std::max(symmetries[i].error, least_error));
+  }
+  return text;
+}
+
+std::string symmetries_json(const std::vector<Symmetry>& symmetries) {
+  ordered_json list = ordered_json::array();
+  for (const Symmetry& symmetry : symmetries) list.push_back(to_json(symmetry));
+  return json_text({{"symmetries", list}});
+}
+
+}  // namespace homolog

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// Symmetries as sentences and as JSON.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "homolog/match/symmetry.h"
+
+namespace homolog {
+
+/// "1  mirrored in the plane 1.0000 x +0.0000 y +0.0000 z = 0.5; it lies within 0.02 % of the diagonal (root mean square)" and the like, a
+/// line each.
+std::string symmetries_text(const std::vector<Symmetry>& symmetries);
+
+/// {"symmetries": [...]} in the order of the family: {"kind": "mirrored", "normal", "offset", "error"}, the plane normal . x = offset, or
+/// {"kind": "repeated", "scale", "axis", "degrees", "shift", "error"}, y = scale turn(axis, degrees) x + shift.
+std::string symmetries_json(const std::vector<Symmetry>& symmetries);
+
+}  // namespace homolog
