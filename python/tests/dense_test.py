@@ -83,14 +83,17 @@ def test_a_morph_begins_at_the_model_and_ends_at_the_data(family, tmp_path):
 def test_a_rigged_file_is_carried(family, tmp_path):
     vertices, faces = bear_arrays()
     (tmp_path / "rigged.glb").write_bytes(mesh_files.rigged_glb(vertices.tolist(), faces.tolist(), neck=0.9))
-    with pytest.warns(UserWarning, match="not carried: its animations"):
-        assert family.transfer(tmp_path / "rigged.glb", tmp_path / "worn.glb") > 0.95 * len(vertices)
+    assert family.transfer(tmp_path / "rigged.glb", tmp_path / "worn.glb") > 0.95 * len(vertices)
+    with pytest.warns(UserWarning, match="animations are written to a .glb"):
+        family.transfer(tmp_path / "rigged.glb", tmp_path / "worn.ply")
     scene, table = mesh_files.read_glb((tmp_path / "worn.glb").read_bytes())
     primitive = scene["meshes"][0]["primitives"][0]
     np.testing.assert_allclose(np.sum(table(primitive["attributes"]["WEIGHTS_0"]), axis=1), 1, atol=1e-6)
     lifted = np.array(table(primitive["targets"][0]["POSITION"]))
     top = np.argmax(vertices[:, 1])
     np.testing.assert_allclose(lifted[top], SCALE * ROTATION @ [0, 0.5, 0], atol=0.15 * 0.5 * SCALE)
+    start, end = np.array(table(scene["animations"][0]["samplers"][0]["output"]))
+    np.testing.assert_allclose(end - start, SCALE * ROTATION @ [0, 1, 0], atol=0.15 * SCALE)
     head = np.linalg.inv(np.array(table(scene["skins"][0]["inverseBindMatrices"])[1]).reshape(4, 4).T)
     assert np.linalg.norm(head[:3, 3] - moved(np.array([[0, 0.9, 0]]))) < WITHIN * diagonal(family.data.vertices)
 

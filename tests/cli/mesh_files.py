@@ -125,7 +125,7 @@ def rigged_glb(v, f, neck, animated=True):
     scene["scenes"] = [{"nodes": [0, 1]}]
     scene["skins"] = [{"joints": [1, 2], "inverseBindMatrices": matrices}]
     if animated:
-        sampler = {"input": table([(0,), (1,)], "f", min=[0], max=[1]), "output": table([(0, 0, 0), (0, 0, 0)], "3f")}
+        sampler = {"input": table([(0,), (1,)], "f", min=[0], max=[1]), "output": table([(0, 0, 0), (0, 1, 0)], "3f")}  # it leaps
         scene["animations"] = [{"samplers": [sampler], "channels": [{"sampler": 0, "target": {"node": 1, "path": "translation"}}]}]
     scene["buffers"][0]["byteLength"] = len(data)
     return glb_of(scene, data)

@@ -162,8 +162,8 @@ class Transfer(Program):
         with open(self.path("rigged.glb"), "wb") as file:
             file.write(mesh_files.rigged_glb(vertices, faces, neck=0.9))
         done = self.run_it("transfer", "out/match.json", "--attributes", "rigged.glb", "--out", "carried.glb")
-        self.assertEqual((done.returncode, done.stderr), (0, "homolog: warning: rigged.glb: not carried: its animations\n"))
-        self.assertIn("weights of 2 joints, 1 shape key carried from rigged.glb", done.stdout)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertIn("weights of 2 joints, 1 shape key, 1 animation carried from rigged.glb", done.stdout)
         with open(self.path("carried.glb"), "rb") as file:
             scene, table = mesh_files.read_glb(file.read())
         self.assertEqual([node["name"] for node in scene["nodes"]], ["carried", "rig", "body", "head"])
@@ -175,6 +175,12 @@ class Transfer(Program):
         head = table(scene["skins"][0]["inverseBindMatrices"])[1]
         neck = [-sum(head[4 * axis + k] * head[12 + k] for k in range(3)) for axis in range(3)]
         self.assertLess(self.distance(dict(zip("xyz", neck)), bear.turned((0, 0.9, 0))), 0.5)  # a twentieth of the height
+        (animation,) = scene["animations"]
+        self.assertEqual(animation["channels"][0]["target"], {"node": 2, "path": "translation"})
+        leap = table(animation["samplers"][0]["output"])
+        up = dict(zip("xyz", (end - start for start, end in zip(*leap))))
+        origin, above = bear.turned((0, 0, 0)), bear.turned((0, 1, 0))
+        self.assertLess(self.distance(up, [a - o for o, a in zip(origin, above)]), 0.5)  # a fifth of the leap
         moved = [(sum(c * c for c in d) ** 0.5, p) for d, p in zip(table(primitive["targets"][0]["POSITION"]), places)]
         length, top = max(moved)
         self.assertAlmostEqual(length / 2.5, 0.5, delta=0.1)  # of the giver's, and the receiver is 2.5 times as large
