@@ -47,6 +47,19 @@ TEST(AxisStarts, AreDifferent) {
   }
 }
 
+// A hand in its own place, and a smaller one turned beside it, no piece joined to the other.
+TEST(AxisStarts, ReachEverySeparatePieceOfTheData) {
+  const Shape model = described(hand());
+  const Move here{Mat3::Identity(), 1, Vec3::Zero()}, there{random_rotation(4), 0.6, {2 * model.diagonal, 0, 0}};
+  const Shape data = described(join({hand(), moved(hand(), there)}), 96);
+  const std::vector<GrownSet> starts = axis_starts(model, data, Chirality::proper, 4);
+  for (const Move& truth : {here, there}) {
+    double least = 1;
+    for (const GrownSet& start : starts) least = std::min(least, mean_error(start, model, truth, truth.scale * model.diagonal));
+    EXPECT_LT(least, 0.05);  // nearer than two maps that count as one (family.cpp)
+  }
+}
+
 TEST(AxisStarts, WithoutSkinThereIsNone) {
   const Shape empty = bare_shape({});
   EXPECT_TRUE(axis_starts(empty, empty, Chirality::proper, 4).empty());

@@ -8,6 +8,7 @@
 
 #include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
+#include "homolog/describe/separate_surfaces.h"
 #include "homolog/match/best_similarity.h"
 
 namespace homolog {
@@ -15,7 +16,8 @@ namespace {
 
 constexpr std::size_t samples = 150;  // of each skin
 constexpr int settle_steps = 12;
-constexpr double different = 0.15;  // mean distance of two starts, in data diagonals, from which they differ
+constexpr double different = 0.15;       // mean distance of two starts, in data diagonals, from which they differ
+constexpr std::size_t most_pieces = 12;  // of the data, that are tried apart
 
 // Places and normals a coordinate a column, single precision being enough beside the data's centre.
 struct Facets {
@@ -31,17 +33,19 @@ struct Skin {
   Vec3 centre = Vec3::Zero();
   Mat3 axes = Mat3::Identity();  // columns, longest first
   double radius = 0;             // root mean square distance from the centre
+  double diagonal = 0;           // of the box around them
   Facets facets;                 // beside the centre
 };
 
-Skin skin_of(const Shape& shape) {
-  const std::size_t count = std::min(samples, shape.surface.size());
+Skin skin_of(const std::vector<SurfaceSample>& surface, double diagonal) {
+  const std::size_t count = std::min(samples, surface.size());
   Skin skin;
+  skin.diagonal = diagonal;
   skin.places.resize(3, count);
   skin.normals.resize(3, count);
   for (std::size_t i = 0; i < count; ++i) {
-    skin.places.col(i) = shape.surface[i].position;
-    skin.normals.col(i) = shape.surface[i].normal;
+    skin.places.col(i) = surface[i].position;
+    skin.normals.col(i) = surface[i].normal;
   }
   skin.centre = skin.places.rowwise().mean();
   const Eigen::Matrix3Xd offsets = skin.places.colwise() - skin.centre;
@@ -49,6 +53,12 @@ Skin skin_of(const Shape& shape) {
   skin.axes = Eigen::SelfAdjointEigenSolver<Mat3>(offsets * offsets.transpose()).eigenvectors().rowwise().reverse();
   skin.facets = facets_of(skin.places, skin.normals, skin.centre);
   return skin;
+}
+
+double diagonal_of(const std::vector<SurfaceSample>& surface) {
+  Eigen::AlignedBox3d box;
+  for (const SurfaceSample& s : surface) box.extend(s.position);
+  return box.diagonal().norm();
 }
 
 // All 24 ways to lay three axes on three axes with a determinant of the wanted sign.
@@ -86,16 +96,16 @@ double nearest_partners(const Facets& from, const Facets& to, double facing, std
 }
 
 // Closest points both ways and the best similarity, in turn.
-Settled settle(const Similarity& start, const Skin& model, const Skin& data, double diagonal, Chirality chirality) {
+Settled settle(const Similarity& start, const Skin& model, const Skin& data, Chirality chirality) {
   Settled settled{start};
   std::vector<int> of_model, of_data;
   for (int step = 0; step <= settle_steps; ++step) {
     const Similarity& s = settled.similarity;
     const Eigen::Matrix3Xd mapped = (s.scale * (s.rotation * model.places)).colwise() + s.shift;
     const Facets here = facets_of(mapped, s.rotation * model.normals, data.centre);
-    const double facing = 0.1 * diagonal;
+    const double facing = 0.1 * data.diagonal;
     const double forth = nearest_partners(here, data.facets, facing, of_model), back = nearest_partners(data.facets, here, facing, of_data);
-    settled.distance = 0.5 * (forth + back) / diagonal;
+    settled.distance = 0.5 * (forth + back) / data.diagonal;
     if (step == settle_steps) break;
     std::vector<WeighedPair> pairs;
     for (std::size_t i = 0; i < of_model.size(); ++i) pairs.push_back({model.places.col(i), data.places.col(of_model[i]), 1});
@@ -120,27 +130,35 @@ GrownSet set_of(const Similarity& similarity, Chirality chirality) {
   return set;
 }
 
+// The best few ways to lay the one on the other, settled.
+std::vector<Settled> ways_to_lay(const Skin& model, const Skin& data, Chirality chirality, std::size_t most) {
+  const double sign = chirality == Chirality::proper ? 1 : -1;
+  const std::vector<Mat3> turns = axis_turns(model.axes.determinant() * data.axes.determinant() * sign);
+  std::vector<Settled> settled(turns.size());
+  parallel_for(turns.size(), [&](std::size_t i) {
+    Similarity start;
+    start.scale = data.radius / model.radius;
+    start.rotation = data.axes * turns[i] * model.axes.transpose();
+    start.shift = data.centre - start.scale * (start.rotation * model.centre);
+    settled[i] = settle(start, model, data, chirality);
+  });
+  std::stable_sort(settled.begin(), settled.end(), [](const Settled& x, const Settled& y) { return x.distance < y.distance; });
+  return distinct(std::move(settled), most,
+                  [&](const Settled& x, const Settled& kept) { return same_start(x.similarity, kept.similarity, model, data.diagonal); });
+}
+
 }  // namespace
 
 std::vector<GrownSet> axis_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most) {
   if (model.surface.empty() || data.surface.empty()) return {};
-  const double sign = chirality == Chirality::proper ? 1 : -1;
-  const Skin a = skin_of(model), b = skin_of(data);
-  const double axes_sign = a.axes.determinant() * b.axes.determinant() * sign;
-  const std::vector<Mat3> turns = axis_turns(axes_sign);
-  std::vector<Settled> settled(turns.size());
-  parallel_for(turns.size(), [&](std::size_t i) {
-    Similarity start;
-    start.scale = b.radius / a.radius;
-    start.rotation = b.axes * turns[i] * a.axes.transpose();
-    start.shift = b.centre - start.scale * (start.rotation * a.centre);
-    settled[i] = settle(start, a, b, data.diagonal, chirality);
-  });
-  std::stable_sort(settled.begin(), settled.end(), [](const Settled& x, const Settled& y) { return x.distance < y.distance; });
-  settled = distinct(std::move(settled), most,
-                     [&](const Settled& x, const Settled& kept) { return same_start(x.similarity, kept.similarity, a, data.diagonal); });
+  std::vector<Skin> skins{skin_of(data.surface, data.diagonal)};
+  for (const auto& surface : separate_surfaces(data.surface, data.body, most_pieces))
+    skins.push_back(skin_of(surface, diagonal_of(surface)));
+  const Skin laid = skin_of(model.surface, model.diagonal);
   std::vector<GrownSet> starts;
-  for (const Settled& s : settled) starts.push_back(set_of(s.similarity, chirality));
+  for (const Skin& skin : skins) {
+    for (const Settled& s : ways_to_lay(laid, skin, chirality, most)) starts.push_back(set_of(s.similarity, chirality));
+  }
   return starts;
 }
 
