@@ -86,7 +86,7 @@ TEST_F(ReadPly, RefusesEveryTruncation) {
 
 TEST_F(ReadPly, RefusesDamagedHeaders) {
   const std::string start = "ply\nformat ascii 1.0\n", xyz = "property float x\nproperty float y\nproperty float z\n";
-  expect_error("a.ply", "OFF\n", "line 1: this is not a PLY file");
+  expect_error("a.ply", "plx\n", "line 1: this is not a PLY file");
   expect_error("a.ply", "ply\nformat utf8 1.0\nend_header\n", "line 2: the format is neither");
   expect_error("a.ply", "ply\nend_header\n", "no format line");
   expect_error("a.ply", start + "element \x1b[2J 1\nend_header\n", "element ?[2J has no properties");  // no commands for the terminal

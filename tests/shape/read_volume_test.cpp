@@ -71,6 +71,14 @@ TEST_F(ReadVolume, TheLabelIsChosenOrAskedFor) {
   EXPECT_THROW(read_mesh(write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}, 3), FileError);
 }
 
+TEST_F(ReadVolume, ScaleInAFloatLeavesLabelsWhole) {
+  std::string tens = volumes::voxels();
+  for (char& voxel : tens) voxel = static_cast<char>(10 * voxel);
+  std::string scaled = volumes::nifti(true, std::endian::little, tens);
+  volumes::put<float>(scaled, 112, 0.1f, std::endian::little);  // scl_slope: 10 * .1f is not 1
+  expect_box_of_ones(read("scaled.nii", scaled));
+}
+
 TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
   std::string scan = volumes::nifti();
   volumes::put<float>(scan, 112, 0.5f, std::endian::little);  // scl_slope

@@ -57,12 +57,15 @@ json parse(std::string_view text, const GltfFile& file) {
   }
 }
 
-void check_extensions(const GltfFile& file) {
+bool requires_extension(const GltfFile& file, std::string_view name) {
   const auto required = file.document.find("extensionsRequired");
-  if (required == file.document.end() || !required->is_array()) return;
-  for (const json& name : *required) {
-    const std::string text = name.is_string() ? name.get<std::string>() : "";
-    if (text != "KHR_draco_mesh_compression" && text != "EXT_meshopt_compression" && text != "KHR_meshopt_compression") continue;
+  if (required == file.document.end() || !required->is_array()) return false;
+  return std::find(required->begin(), required->end(), json(name)) != required->end();
+}
+
+void check_extensions(const GltfFile& file) {
+  for (const char* text : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
+    if (!requires_extension(file, text)) continue;
     throw FileError(fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, text));
   }
 }
@@ -113,6 +116,18 @@ GltfFile read_gltf_file(std::string_view content, const std::string& name, const
   check_extensions(file);
   read_buffers(file, chunks.binary, find_other);
   return file;
+}
+
+void check_gltf_form(std::string_view content, const std::string& name) {
+  GltfFile file{name, {}, {}};
+  file.document = parse(is_glb(content) ? chunks_of(content, file).json : content, file);
+  check_extensions(file);
+  const json version = file.document.value(json::json_pointer("/asset/version"), json("2.0"));
+  if (!version.is_string() || !version.get<std::string>().starts_with("2")) fail(file, "it is not glTF 2.0");
+  for (const char* moving : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing"}) {
+    if (!requires_extension(file, moving)) continue;
+    throw FileError(fmt::format("{}: it needs the extension {}, which is not read; export it without", name, moving));
+  }
 }
 
 const json& entry(const GltfFile& file, const char* list, std::size_t number) {

@@ -23,6 +23,10 @@ struct GltfFile {
 /// where things lie.
 GltfFile read_gltf_file(std::string_view content, const std::string& name, const FindOther& find_other);
 
+/// For readers of the form that know no extensions. Throws FileError when the file is not glTF 2.0, or requires an extension that changes
+/// where things lie.
+void check_gltf_form(std::string_view content, const std::string& name);
+
 /// Whether content begins as a .glb does.
 bool is_glb(std::string_view content);
 

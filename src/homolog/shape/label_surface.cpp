@@ -19,11 +19,17 @@ constexpr int rounds = 20;                 // of smoothing: more change nothing 
 constexpr std::size_t most_labels = 1000;  // beyond, the values are those of a scan
 constexpr std::size_t shown_labels = 12;
 
+/// A scale in a header, kept as a float, leaves a label beside the whole number that it was.
+double whole(double value) {
+  const double nearest = std::round(value);
+  return std::abs(value - nearest) <= 1e-6 * std::abs(nearest) ? nearest : value;
+}
+
 std::set<long long> labels_of(const RawVolume& volume, const std::string& file) {
   std::set<long long> labels;
   double last = 0;
   for (std::size_t i = 0; i < volume.voxels(); ++i) {
-    const double value = volume.value(i);
+    const double value = whole(volume.value(i));
     if (value == last) continue;
     last = value;
     if (!(std::abs(value) < 1e15) || value != std::floor(value)) {
@@ -73,7 +79,7 @@ Crop crop_to(const RawVolume& volume, const Inside& inside) {
 
 Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file) {
   const auto wanted = static_cast<double>(chosen(labels_of(volume, file), label, file));
-  const auto inside = [&](std::size_t i) { return wanted == 0 ? volume.value(i) != 0 : volume.value(i) == wanted; };
+  const auto inside = [&](std::size_t i) { return wanted == 0 ? volume.value(i) != 0 : whole(volume.value(i)) == wanted; };
   const Crop crop = crop_to(volume, inside);
   SliceField field;
   for (int axis = 0; axis < 3; ++axis) field.size[axis] = static_cast<int>(crop.end[axis] - crop.first[axis]);

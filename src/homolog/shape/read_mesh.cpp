@@ -5,11 +5,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <fstream>
 #include <utility>
 
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/shape/cloud_surface.h"
+#include "homolog/shape/foreign_file.h"
 #include "homolog/shape/read_metaimage.h"
 #include "homolog/shape/read_nifti.h"
 #include "homolog/shape/read_nrrd.h"
@@ -41,6 +43,15 @@ void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_tria
   }
 }
 
+/// Of large files the beginning is enough.
+std::string start_of(const fs::path& path) {
+  std::string start(telling_bytes, '\0');
+  std::ifstream stream(path, std::ios::binary);
+  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
+  start.resize(static_cast<std::size_t>(stream.gcount()));
+  return start;
+}
+
 std::optional<RawVolume> read_volume(std::string_view content, const fs::path& path, const ReadLimits& limits) {
   const ReadOther read_other = [&](const std::string& name) { return read_beside(path, name, limits.bytes); };
   if (is_nifti(content, path.string())) return read_nifti(content, path.string(), limits.voxels);
@@ -57,14 +68,16 @@ Mesh surface_of(PointCloud cloud, const std::string& file, std::size_t most_poin
   return cloud_surface(std::move(cloud), file);
 }
 
-Mesh read_ply_content(const std::string& content, const std::string& file, std::size_t most_points) {
+Mesh read_ply_content(std::string_view content, const std::string& file, std::size_t most_points) {
   return is_ply_cloud(content, file) ? surface_of(read_ply_cloud(content, file), file, most_points) : read_ply(content, file);
 }
 
-Mesh read_content(const fs::path& path, const std::string& content, const ReadLimits& limits) {
+Mesh read_content(const fs::path& path, std::string_view content, const ReadLimits& limits) {
   const std::string extension = lower_extension(path);
-  if (content.compare(0, 3, "ply") == 0) return read_ply_content(content, path.string(), limits.triangles);
-  if (extension == ".off") return read_off(content, path.string());
+  if (content.starts_with("ply")) return read_ply_content(content, path.string(), limits.triangles);
+  if (is_stl(content)) return weld(read_stl(content, path.string()));
+  if (is_obj(content)) return read_obj(content, path.string());
+  if (extension == ".off" || is_off(content)) return read_off(content, path.string());
   if (extension == ".obj") return read_obj(content, path.string());
   if (extension == ".ply") return read_ply(content, path.string());
   if (extension == ".stl") return weld(read_stl(content, path.string()));
@@ -94,7 +107,10 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
   const std::string content = is_scene ? std::string() : read_file(path, limits.bytes);
   const std::optional<RawVolume> volume = is_scene ? std::nullopt : read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave --label out", path.string()));
-  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : is_scene ? read_scene(path) : read_content(path, content, limits);
+  if (!volume) refuse_foreign(is_scene ? start_of(path) : content, lower_extension(path), path.string());
+  Mesh mesh = volume     ? label_surface(*volume, label, path.string())
+              : is_scene ? read_scene(path)
+                         : read_content(path, without_byte_order_mark(content), limits);
   check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }

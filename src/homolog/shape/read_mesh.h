@@ -21,9 +21,9 @@ struct ReadLimits {
 /// Reads OFF, OBJ, PLY, STL, glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ and PLY keep the file's order and numbers;
 /// those of the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and
 /// lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS; of point clouds with normals (PLY without
-/// faces, XYZ) the surface that they were taken from (cloud_surface.h). PLY, volumes and XYZ are known by how they begin, the others by
-/// their names. Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label that is not there, points
-/// without normals).
+/// faces, XYZ) the surface that they were taken from (cloud_surface.h). All are known by how they begin, scenes by their names, too; what
+/// else a file is, is told (foreign_file.h). Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label
+/// that is not there, points without normals).
 Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
 
 /// Reads a file that another one names: in that one's folder or below, links followed. Throws FileError.

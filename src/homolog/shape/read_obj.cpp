@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 #include "homolog/shape/obj_lines.h"
 #include "homolog/shape/polygon.h"
 #include "homolog/shape/text.h"
@@ -17,6 +20,13 @@ struct Face {
 };
 
 }  // namespace
+
+bool is_obj(std::string_view content) {
+  static constexpr std::string_view words[] = {"v", "vn", "vt", "o", "g", "mtllib", "usemtl", "s"};
+  Text text{"", content};
+  std::string_view line;
+  return next_data_line(text, line) && std::count(std::begin(words), std::end(words), take_word(line)) > 0;
+}
 
 Mesh read_obj(std::string_view content, const std::string& file) {
   Text text{file, content};

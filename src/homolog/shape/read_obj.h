@@ -9,6 +9,9 @@
 
 namespace homolog {
 
+/// Whether the first line of content, comments left out, is one of OBJ.
+bool is_obj(std::string_view content);
+
 /// The mesh in the text of an OBJ file: its v and f lines, vertices in the file's order; everything else is skipped. `file` is its name
 /// for messages. Throws FileError (malformed, a vertex number out of range, non-finite coordinates).
 Mesh read_obj(std::string_view content, const std::string& file);

@@ -57,6 +57,12 @@ void read_face(Text& text, std::string_view line, Mesh& mesh) {
 
 }  // namespace
 
+bool is_off(std::string_view content) {
+  Text text{"", content};
+  std::string_view line;
+  return next_data_line(text, line) && take_word(line).ends_with("OFF");
+}
+
 Mesh read_off(std::string_view content, const std::string& file) {
   Text text{file, content};
   const Counts counts = read_header(text);

@@ -36,6 +36,9 @@ void read_vertices(PlySource& source, const PlyElement& element, Mesh& mesh) {
 }
 
 void read_faces(PlySource& source, const PlyElement& element, Mesh& mesh) {
+  if (element.count > 0 && mesh.vertices.empty()) {
+    fail(source.text, "the faces stand before the vertices, which is not read; save it with the vertices first");
+  }
   for (std::size_t i = 0; i < element.count; ++i) {
     begin_element(source, element, i);
     for (const PlyProperty& property : element.properties) {
@@ -68,6 +71,8 @@ Mesh read_ply(std::string_view content, const std::string& file) {
       read_vertices(source, element, mesh);
     } else if (element.name == "face") {
       read_faces(source, element, mesh);
+    } else if (element.name == "tristrips" && element.count > 0) {
+      fail(source.text, "the triangles stand in strips (element tristrips), which are not read; save it with faces");
     } else {
       skip_elements(source, element);
     }

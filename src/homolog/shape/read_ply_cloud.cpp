@@ -55,8 +55,9 @@ void read_points(PlySource& source, const PlyElement& element, PointCloud& cloud
 
 bool is_ply_cloud(std::string_view content, const std::string& file) {
   const PlyHeader header = open_ply(content, file).header;
-  return std::none_of(header.elements.begin(), header.elements.end(),
-                      [](const PlyElement& element) { return element.name == "face" && element.count > 0; });
+  return std::none_of(header.elements.begin(), header.elements.end(), [](const PlyElement& element) {
+    return (element.name == "face" || element.name == "tristrips") && element.count > 0;
+  });
 }
 
 PointCloud read_ply_cloud(std::string_view content, const std::string& file) {

@@ -11,6 +11,8 @@
 #include <assimp/Importer.hpp>
 
 #include "homolog/base/errors.h"
+#include "homolog/base/read_file.h"
+#include "homolog/shape/gltf_file.h"
 #include "homolog/shape/read_in_child.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
@@ -21,6 +23,9 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::uintmax_t bytes_a_second = 1 << 20;  // the slowest that an undamaged file is read
+
+constexpr const char* without_triangles =
+    "no triangles stand in its main part, and the parts beside it, where slicers put objects, are not read; export it as STL";
 
 /// Opens what lies in one folder and below. A file names others (buffers, textures), and must not name what is none of its business.
 class OneFolder : public Assimp::DefaultIOSystem {
@@ -66,7 +71,8 @@ void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
 
 Mesh read_by_assimp(const fs::path& path) {
   Assimp::Importer importer;
-  importer.SetIOHandler(new OneFolder(path));  // which the importer deletes
+  importer.SetIOHandler(new OneFolder(path));                                    // which the importer deletes
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // coordinates stay the file's
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   const aiScene* scene = nullptr;
   std::string reason;
@@ -79,6 +85,7 @@ Mesh read_by_assimp(const fs::path& path) {
     reason = error.what();
   }
   if (!scene || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE && scene->mNumMeshes == 0)) {
+    if (reason.empty()) reason = "no mesh is in it";
     throw FileError(
         fmt::format("{}: the file cannot be read ({}); it is truncated or damaged, export it again", path.string(), shown(reason, 120)));
   }
@@ -97,7 +104,15 @@ const std::vector<std::string>& scene_extensions() {
 Mesh read_scene(const fs::path& path) {
   ChildLimits limits;
   limits.seconds += static_cast<unsigned>(fs::file_size(path) / bytes_a_second);
-  return read_in_child([&] { return read_by_assimp(path); }, path.string(), limits);
+  return read_in_child(
+      [&] {
+        const std::string extension = lower_extension(path);
+        if (extension == ".gltf" || extension == ".glb") check_gltf_form(read_file(path), path.string());
+        Mesh mesh = read_by_assimp(path);
+        if (mesh.triangles.empty() && extension == ".3mf") throw FileError(fmt::format("{}: {}", path.string(), without_triangles));
+        return mesh;
+      },
+      path.string(), limits);
 }
 
 }  // namespace homolog

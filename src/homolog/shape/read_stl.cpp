@@ -30,6 +30,7 @@ std::size_t announced_triangles(std::string_view content) {
 /// The word "solid" alone is no proof, many binary files start with it.
 bool is_text(std::string_view content) {
   if (content.size() == header_bytes + triangle_bytes * announced_triangles(content)) return false;
+  content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
   std::string start(content.substr(0, 5));
   std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
   return start == "solid" && content.substr(0, 1000).find('\0') == std::string_view::npos;
@@ -42,6 +43,9 @@ void append_triangle(Mesh& mesh) {
 
 Mesh read_binary(std::string_view content, const std::string& file) {
   const std::size_t count = announced_triangles(content);
+  if (content.size() >= header_bytes && content.substr(0, 1000).find('\0') == std::string_view::npos) {
+    throw FileError(fmt::format("{}: this is neither STL as text, which begins with 'solid', nor as numbers; export it again", file));
+  }
   if (content.size() < header_bytes || (content.size() - header_bytes) / triangle_bytes < count) {
     throw FileError(
         fmt::format("{}: {} triangles are announced, but the file is too short for them; it is truncated or damaged", file, count));
@@ -88,6 +92,12 @@ Mesh read_text(std::string_view content, const std::string& file) {
 }
 
 }  // namespace
+
+bool is_stl(std::string_view content) {
+  const std::size_t count = announced_triangles(content);
+  if (count > 0 && content.size() == header_bytes + triangle_bytes * count) return true;
+  return is_text(content) && content.substr(0, 1000).find("facet") != std::string_view::npos;
+}
 
 Mesh read_stl(std::string_view content, const std::string& file) {
   return is_text(content) ? read_text(content, file) : read_binary(content, file);

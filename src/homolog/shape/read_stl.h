@@ -9,6 +9,9 @@
 
 namespace homolog {
 
+/// Whether content begins as STL does, as text or with the size that binary STL announces.
+bool is_stl(std::string_view content);
+
 /// The mesh in the bytes of an STL file, three vertices a triangle, not welded. `file` is its name for messages. Throws FileError
 /// (truncated, malformed, non-finite coordinates).
 Mesh read_stl(std::string_view content, const std::string& file);

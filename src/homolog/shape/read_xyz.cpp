@@ -26,7 +26,14 @@ std::size_t count_words(std::string_view line) {
   return words;
 }
 
+bool is_nan(std::string_view line) {
+  const std::string_view word = take_word(line);
+  return word == "nan" || word == "NaN" || word == "-nan" || word == "NAN";
+}
+
+/// Zero where the file says that there is none.
 Vec3 take_normal(Text& text, std::string_view& line) {
+  if (is_nan(line)) return Vec3::Zero();
   Vec3 normal;
   for (int axis = 0; axis < 3; ++axis) normal[axis] = take_number(text, line, "a normal's coordinate");
   const double length = normal.norm();

@@ -60,6 +60,9 @@ double take_number(Text& text, std::string_view& line, const char* what) {
   const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
   if (error == std::errc::result_out_of_range) value = std::strtod(std::string(word).c_str(), nullptr);  // 0 if too small, inf if too large
   const bool number = error != std::errc::invalid_argument && end == word.data() + word.size();
+  if (!number && word.find_first_of(",;") != std::string_view::npos) {
+    fail(text, fmt::format("'{}' is not a number; save it with a decimal point, and with blanks between numbers", shown(word)));
+  }
   if (!number || !std::isfinite(value)) fail(text, fmt::format("'{}' is not a finite number, but {} must be one", shown(word), what));
   return value;
 }

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/foreign_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+using namespace std::string_view_literals;
+
+struct Kind {
+  std::string_view begin, what;
+};
+
+constexpr Kind kinds[] = {
+    {"version https://git-lfs", "the placeholder of a large file in git; fetch the file itself (git lfs pull)"},
+    {"\x1f\x8b"sv, "compressed by gzip; unpack it first"},
+    {"BZh"sv, "compressed by bzip2; unpack it first"},
+    {"\xfd\x37zXZ"sv, "compressed by xz; unpack it first"},
+    {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
+    {"Rar!"sv, "a RAR archive; unpack it first"},
+    {"\xff\xfe"sv, "text in UTF-16; save it as UTF-8"},
+    {"\xfe\xff"sv, "text in UTF-16; save it as UTF-8"},
+    {"ISO-10303-21"sv, "a STEP file of a CAD program; export its surface from there as STL or 3MF"},
+    {"BLENDER"sv, "a Blender file; export the mesh from Blender as PLY or glTF"},
+    {"PXR-USDC"sv, "a USD file; export the mesh as glTF or PLY, from Blender, say"},
+    {"#usda"sv, "a USD file; export the mesh as glTF or PLY, from Blender, say"},
+    {"# vtk DataFile"sv, "a VTK file; save its surface as PLY, from ParaView, say"},
+    {"#VRML"sv, "a VRML file; save the mesh as PLY or OBJ, from MeshLab, say"},
+    {"# .PCD"sv, "a PCD file; save its points with normals as PLY, from CloudCompare, say"},
+    {"LASF"sv, "a LAS file; save its points with normals as PLY, from CloudCompare, say"},
+    {"$MeshFormat"sv, "a Gmsh file; export its surface from there as STL"},
+    {"\x89PNG"sv, "a picture; name a mesh"},
+    {"\xff\xd8\xff"sv, "a picture; name a mesh"},
+    {"%PDF"sv, "a PDF document; name a mesh"},
+};
+
+/// Anywhere in a text that begins with a tag.
+constexpr Kind tags[] = {
+    {"<!doctype html", "a web page, as failed downloads leave it; download the file again"},
+    {"<html", "a web page, as failed downloads leave it; download the file again"},
+    {"<vtkfile", "a VTK file; save its surface as PLY, from ParaView, say"},
+    {"<x3d", "an X3D file; save the mesh as PLY or glTF, from Blender, say"},
+    {"<gifti", "a GIFTI file; save the surface as PLY or STL"},
+};
+
+struct Scene {
+  std::string_view begin, extension, what;
+};
+
+constexpr Scene scenes[] = {
+    {"glTF", ".glb", "a binary glTF file"},
+    {"Kaydara FBX Binary", ".fbx", "an FBX file"},
+    {"AC3Db", ".ac", "an AC3D file"},
+};
+
+[[noreturn]] void refuse(const std::string& file, std::string_view what) { throw FileError(fmt::format("{}: this is {}", file, what)); }
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
+  return result;
+}
+
+void refuse_markup(std::string_view start, const std::string& extension, const std::string& file) {
+  const std::string text = lower(start);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  if (first == std::string::npos || text[first] != '<') return;
+  for (const Kind& kind : tags) {
+    if (text.find(kind.begin) != std::string::npos) refuse(file, kind.what);
+  }
+  if (extension != ".dae" && text.find("<collada") != std::string::npos) refuse(file, "a COLLADA file; rename it to end in .dae");
+}
+
+void refuse_zip(std::string_view start, const std::string& extension, const std::string& file) {
+  if (!start.starts_with("PK\3\4") || extension == ".3mf") return;
+  if (extension == ".usdz") refuse(file, "a USD file; export the mesh as glTF or PLY, from Blender, say");
+  refuse(file, "a zip archive; unpack it first, or rename it to end in .3mf if it is one");
+}
+
+bool is_iges(std::string_view start) {
+  return start.size() > 80 && start[72] == 'S' && start.substr(73, 7).find_first_not_of(" 01") == std::string_view::npos;
+}
+
+}  // namespace
+
+std::string_view without_byte_order_mark(std::string_view content) {
+  if (content.starts_with("\xef\xbb\xbf")) content.remove_prefix(3);
+  return content;
+}
+
+void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file) {
+  start = without_byte_order_mark(start.substr(0, telling_bytes));
+  for (const Kind& kind : kinds) {
+    if (start.starts_with(kind.begin)) refuse(file, kind.what);
+  }
+  for (const Scene& scene : scenes) {
+    if (start.starts_with(scene.begin) && extension != scene.extension) {
+      refuse(file, fmt::format("{}; rename it to end in {}", scene.what, scene.extension));
+    }
+  }
+  refuse_markup(start, extension, file);
+  refuse_zip(start, extension, file);
+  if (is_iges(start)) refuse(file, "an IGES file of a CAD program; export its surface from there as STL or 3MF");
+  if (start.size() > 132 && start.substr(128, 4) == "DICM")
+    refuse(file, "a DICOM file; save the segmentation as NIfTI or NRRD, from 3D Slicer, say");
+  const bool is_text = start.find('\0') == std::string_view::npos;
+  if (is_text && start.find('\n') == std::string_view::npos && std::count(start.begin(), start.end(), '\r') > 3) {
+    refuse(file, "text whose lines end as on old Macs; save it with the line ends of Unix or Windows");
+  }
+}
+
+}  // namespace homolog

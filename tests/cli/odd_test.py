@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# What strangers throw at the program: each file of odd_files.py gives the points of the plain bear, or one sentence that says what to do.
+import os
+import unittest
+
+import bear
+import odd_files
+from program import COARSE, PROGRAM, Program, main
+
+
+class OddFiles(Program):
+    def test_a_right_answer_or_one_sentence(self):
+        expected = self.answer("plain.off", bear.off(*odd_files.plain()).encode())[1]
+        for name, content, words in odd_files.all_files():
+            with self.subTest(name):
+                code, points, said = self.answer(name, content)
+                if words is odd_files.POINTS:
+                    self.assertEqual((code, said), (0, ""))
+                    self.assertGreaterEqual(odd_files.same(points, expected), 0.9)
+                else:
+                    self.assertEqual(code, 3)
+                    self.assertRegex(said, r"\Ahomolog: [^\n]+\n\Z")
+                    self.assertIn(words, said)
+
+    def answer(self, name, content):
+        with open(self.path(name), "wb") as file:
+            file.write(content)
+        return odd_files.answer(PROGRAM, self.path(name), *COARSE)
+
+    def test_what_is_no_file(self):
+        os.symlink("loop.obj", self.path("loop.obj"))
+        os.symlink("/dev/zero", self.path("zero.obj"))
+        os.mkfifo(self.path("pipe.obj"))
+        os.mkdir(self.path("folder.obj"))
+        for name, words in (("loop.obj", "no such file"), ("zero.obj", "not a regular file"), ("pipe.obj", "not a regular file"), ("folder.obj", "a directory")):  # fmt: skip
+            self.expect_message(3, words, "points", name)
+
+
+if __name__ == "__main__":
+    main()

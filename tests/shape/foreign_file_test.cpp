@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/foreign_file.h"
+
+#include <gmock/gmock.h>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+std::string refusal(const std::string& content, const std::string& extension) {
+  try {
+    refuse_foreign(content, extension, "it");
+  } catch (const FileError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(ForeignFile, IsToldByHowItBegins) {
+  EXPECT_EQ(refusal("ISO-10303-21;\n", ".stl"), "it: this is a STEP file of a CAD program; export its surface from there as STL or 3MF");
+  EXPECT_THAT(refusal("\n <!DOCTYPE HTML><title>404</title>", ".obj"), testing::HasSubstr("a web page"));
+  EXPECT_THAT(refusal(std::string("\xff\xfev\0", 4), ".obj"), testing::HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", ".obj"), testing::HasSubstr("old Macs"));
+  EXPECT_THAT(refusal(std::string(128, '\0') + "DICM and more", ".dcm"), testing::HasSubstr("DICOM"));
+}
+
+TEST(ForeignFile, IsNoneWhenTheNameSaysWhatItIs) {
+  for (const char* extension : {".glb", ".obj"}) EXPECT_EQ(refusal("glTF\2", extension).empty(), extension == std::string(".glb"));
+  for (const char* extension : {".3mf", ".zip"}) EXPECT_EQ(refusal("PK\3\4", extension).empty(), extension == std::string(".3mf"));
+  for (const char* extension : {".dae", ".xml"})
+    EXPECT_EQ(refusal("<?xml?><COLLADA>", extension).empty(), extension == std::string(".dae"));
+  for (const char* content : {"", "\n", "OFF\n0 0 0\n", "solid <html>\n", "v 0 0 0\r\nv 1 0 0\r\n"})
+    EXPECT_EQ(refusal(content, ".off"), "");
+}
+
+TEST(ForeignFile, MarksBeforeTextAreLeftOut) {
+  EXPECT_EQ(without_byte_order_mark("\xef\xbb\xbfOFF"), "OFF");
+  EXPECT_EQ(without_byte_order_mark("OFF"), "OFF");
+}
+
+}  // namespace
+}  // namespace homolog
