@@ -82,13 +82,19 @@ ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end) {
 }
 
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
+  std::vector<Vec3> places;
+  for (const Vec3& node : model.nodes) places.push_back(data_from_model(node));
+  return lay_cloth(model, std::move(places), data_from_model.similarity, chirality);
+}
+
+Cloth lay_cloth(const Body& model, std::vector<Vec3> places, const Similarity& similarity, Chirality chirality) {
   Cloth cloth;
   cloth.chirality = chirality;
-  cloth.scale = data_from_model.similarity.scale;
-  for (const Vec3& node : model.nodes) cloth.nodes.push_back(data_from_model(node));
-  cloth.rotations.assign(model.nodes.size(), data_from_model.similarity.rotation);
+  cloth.scale = similarity.scale;
+  cloth.nodes = std::move(places);
+  cloth.rotations.assign(model.nodes.size(), similarity.rotation);
   cloth.scales.assign(model.nodes.size(), cloth.scale);
-  cloth.frames.assign(model.nodes.size(), cloth.scale * data_from_model.similarity.rotation);
+  cloth.frames.assign(model.nodes.size(), cloth.scale * similarity.rotation);
   fit_local_frames(cloth, edges_of(model));
   return cloth;
 }

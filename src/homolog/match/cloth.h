@@ -40,6 +40,9 @@ ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end);
 /// Lays the body by the spline, without looking at the data.
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality);
 
+/// The same with every node at a place of its own, about as the similarity has them.
+Cloth lay_cloth(const Body& model, std::vector<Vec3> places, const Similarity& similarity, Chirality chirality);
+
 /// The body's surface samples where the cloth lays them.
 std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model);
 

@@ -37,9 +37,4 @@ void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const Corres
   if (!near.empty()) draw_cloth(cloth, model.body, near, extent, anchors_of(pairs, model.body), schedule);
 }
 
-ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
-  const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
-  return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
-}
-
 }  // namespace homolog

@@ -11,7 +11,4 @@ namespace homolog {
 void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const CorrespondenceSet& pairs, const ClothSchedule& schedule,
                std::size_t most);
 
-/// The map of a laid body as a spline through its nodes, so that any reader can apply it (Sec. 6.1).
-ThinPlateSpline spline_through(const Cloth& cloth, const Body& body);
-
 }  // namespace homolog

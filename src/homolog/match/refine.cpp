@@ -21,6 +21,12 @@ constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
 constexpr double told_place = 0.05;                                  // extents: the least limit of pairs told in the end
 
+// The refined map as a spline through the cloth's nodes, so that any reader can apply it (Sec. 6.1).
+ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
+  const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
+  return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
+}
+
 // The similarity nearest to the map, over the skin. The spline's own is what is left when its bending is least: of another size if it
 // bends.
 Similarity similarity_of(const Cloth& cloth, const Body& body) {
@@ -69,8 +75,8 @@ Match match_of(const Refined& refined, const Shape& model, const Shape& data, co
   const double extent = extent_of(refined.cloth, model, data);
   CorrespondenceSet rated = refined.pairs;
   CorrespondenceSet followed = followed_pairs(rated, refined.cloth, merit_of(refined.evidence), extent, model, data);
-  const ThinPlateSpline model_from_data = way_back(refined.cloth, model, data);
-  for (CorrespondenceSet* pairs : {&rated, &followed}) rate_by_way_back(*pairs, model_from_data, extent / refined.cloth.scale);
+  const Cloth back = laid_back(refined.cloth, model, data);
+  for (CorrespondenceSet* pairs : {&rated, &followed}) rate_by_way_back(*pairs, back, data.body, extent / refined.cloth.scale);
   match.pairs = told_pairs(std::move(rated), followed);
   describe_followed(match.pairs, model, data, params);
   match.data_from_model = spline_through(refined.cloth, model.body);

@@ -9,12 +9,15 @@
 
 namespace homolog {
 
-/// From the data to the model: the inverse of the cloth's map, drawn anew onto the model by the surfaces alone, since pairs would have it
-/// repeat what they got wrong.
-ThinPlateSpline way_back(const Cloth& cloth, const Shape& model, const Shape& data);
+/// The data's body in the model: laid there by the inverse of the cloth's map, and drawn anew by the surfaces alone, since pairs would have
+/// it repeat what they got wrong.
+Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data);
+
+/// Where a place of a body lies with its laid cloth, by the frames of the nearest nodes.
+Vec3 place_in(const Cloth& cloth, const Body& body, const Vec3& x);
 
 /// Corrects the confidence of rated pairs by how far from its model point a data point comes home, as a share of `extent` (in the model);
 /// fitted to the pairs of the first four matches of 476 real pairs of shapes.
-void rate_by_way_back(CorrespondenceSet& pairs, const ThinPlateSpline& model_from_data, double extent);
+void rate_by_way_back(CorrespondenceSet& pairs, const Cloth& back, const Body& data, double extent);
 
 }  // namespace homolog
