@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "fixtures/shapes.h"
@@ -120,6 +121,22 @@ TEST(WholeWay, AHandFindsItselfInNoise) {
 }
 
 // The hand is flat: at 80 voxels its mirror image is not more like it than the mirrored match's handicap in merit (evidence.cpp).
+// Of three sizes, one beside the other.
+TEST(WholeWay, EveryCopyOfAHandIsFound) {
+  constexpr int fine = 160;  // the smallest is a third of the scene
+  const Move places[] = {{random_rotation(6), 1, {0, 0, 0}}, {random_rotation(7), 0.7, {2.5, 0, 0}}, {random_rotation(8), 1.3, {0, 3, 0}}};
+  Solid hands;
+  for (const Move& place : places) hands = join({hands, moved(hand(), place)});
+  const Shape model = describe_shape(hand_mesh(), coarse(voxels)), scene = described(hands, fine);
+  const Family family = match_shapes(model, scene, coarse(fine));
+  for (const Move& place : places) {
+    const auto found = std::count_if(family.matches.begin(), family.matches.end(), [&](const Match& match) {
+      return match.confidence > 0.5 && error_of(match, model, scene, place) < right * place.scale * model.diagonal / scene.diagonal;
+    });
+    EXPECT_EQ(found, 1) << "the copy of scale " << place.scale;
+  }
+}
+
 TEST(WholeWay, AMirroredHandIsFoundMirrored) {
   const Move mirror{mirror_x(), 1, {1, 0, 0}};
   expect_found(hand_mesh(), moved_mesh(hand_mesh(), mirror), mirror, "mirror", 128);

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/homolog.h"
 
+#include <functional>
+
 #include "homolog/base/parallel.h"
 #include "homolog/describe/cut_faces.h"
+#include "homolog/describe/separate_surfaces.h"
 #include "homolog/describe/thickness.h"
 #include "homolog/describe/turn_shape.h"
 #include "homolog/match/axis_starts.h"
@@ -23,6 +26,7 @@ namespace {
 
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
+constexpr std::size_t many_pieces = 3;  // so many share the samples, of which there are as many times more
 constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
@@ -88,6 +92,15 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
   return family;
 }
 
+// Samples of the skin, and the body that joins them.
+void sample_skin(Shape& shape, int finer, const std::function<void()>& forget_cut, Stopwatch* watch) {
+  shape.surface = sample_surface(shape.interior, finer * surface_samples);
+  forget_cut();
+  lap(watch, "surface samples", shape.surface.size(), "samples");
+  shape.body = build_body(shape.interior, shape.surface, finer * body_samples, shape.points);
+  lap(watch, "body", shape.body.nodes.size(), "nodes");
+}
+
 // All of Sec. 3 to 5 on the grid along the mesh's coordinates.
 Shape describe_upright(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   Shape shape;
@@ -101,24 +114,25 @@ Shape describe_upright(const Mesh& mesh, const Params& params, const std::option
   lap(watch, "voxels", frame.voxels(), "voxels");
   shape.points = find_salient_points(shape.interior, params.salient);  // Sec. 4.3
   lap(watch, "salient points", shape.points.size(), "points");
-  shape.surface = sample_surface(shape.interior, surface_samples);
-  lap(watch, "surface samples", shape.surface.size(), "samples");
-  if (part) {
+  const auto forget_cut = [&] {
+    if (!part) return;
     const Box whole = thickened_box(mesh, params.voxel.thicken);
     const Vec3 extent = whole.max - whole.min;
     const Box cut{whole.min + part->min.cwiseProduct(extent), whole.min + part->max.cwiseProduct(extent)};
     forget_cut_faces(cut, whole, frame.spacing, shape.points, shape.surface);
-  }
+  };
+  sample_skin(shape, 1, forget_cut, watch);
+  const bool in_pieces = separate_surfaces(shape.surface, shape.body, many_pieces).size() == many_pieces;
+  if (in_pieces) sample_skin(shape, many_pieces, forget_cut, watch);
   shape.thickness = thickness_at(shape.interior, shape.surface);
   shape.surface_spacing = typical_spacing(positions_of(shape.surface));
   find_directions(shape.interior, params.salient, shape.points);  // eq. 2, 3
   lap(watch, "directions", shape.points.size(), "points");
   shape.descriptors = compute_descriptors(shape.interior, shape.points, params.descriptor);  // Sec. 5.2
   lap(watch, "descriptors", shape.points.size(), "points");
-  shape.body = build_body(shape.interior, shape.surface, body_samples, shape.points);
   shape.ends = find_ends(shape.body);
   shape.inner_distance = inner_distances(shape.body, shape.interior);
-  lap(watch, "body", shape.body.nodes.size(), "nodes");
+  lap(watch, "ends", shape.ends.nodes.size(), "ends");
   return shape;
 }
 
