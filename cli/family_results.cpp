@@ -12,6 +12,7 @@
 #include "homolog/outputs/match_json.h"
 #include "homolog/outputs/parts.h"
 #include "homolog/outputs/report.h"
+#include "homolog/outputs/symmetry_text.h"
 
 namespace homolog::cli {
 
@@ -45,15 +46,32 @@ MatchParts nothing_covered(const DescribedFile& model, const DescribedFile& data
   return {{std::vector<float>(model.mesh.vertices.size(), 0), {}}, {std::vector<float>(data.mesh.vertices.size(), 0), {}}};
 }
 
+/// What is told of a family, each computed once.
+struct Results {
+  std::string json;
+  std::vector<MatchParts> parts;                    ///< empty if nobody asks
+  std::optional<std::vector<Symmetry>> symmetries;  ///< of a shape against itself
+};
+
+Results results_of(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, bool parts_too,
+                   Against against) {
+  const ThreadLimit limit(params.threads);
+  Results results{match_json(model.shape, data.shape, family, params), {}, {}};
+  if (parts_too) results.parts = covered_parts(model.meshed(), data.meshed(), family.matches);
+  if (parts_too && against == Against::itself) results.symmetries = symmetries_of(model.meshed(), family.matches, results.parts);
+  return results;
+}
+
 void write_results(const ResultFolder& folder, const DescribedFile& model, const DescribedFile& data, const Family& family,
-                   const Params& params, const std::string& json, const MoreResults& more) {
+                   const Params& params, const Results& results) {
   const Match best = family.matches.empty() ? Match{} : family.matches.front();
   const auto on_model = model_landmarks(best), on_data = data_landmarks(best);
+  const std::vector<MatchParts>& parts = results.parts;
+  const std::vector<Symmetry> symmetries = results.symmetries.value_or(std::vector<Symmetry>{});
   const ThreadLimit limit(params.threads);
-  const std::vector<MatchParts> parts = covered_parts(model.meshed(), data.meshed(), family.matches);
   const MatchParts part = parts.empty() ? nothing_covered(model, data) : parts.front();
   std::vector<std::pair<std::string, Writing>> files = {
-      {"match.json", whole(json)},
+      {"match.json", whole(results.json)},
       {"parts.json", [&](const Sink& sink) { write_parts_json(model.meshed(), data.meshed(), parts, sink); }},
       {"model.part.ply", [&](const Sink& sink) { write_part_ply(model.mesh, part.model.vertices, sink); }},
       {"data.part.ply", [&](const Sink& sink) { write_part_ply(data.mesh, part.data.vertices, sink); }},
@@ -61,23 +79,31 @@ void write_results(const ResultFolder& folder, const DescribedFile& model, const
       {"data.landmarks.csv", whole(landmarks_csv(on_data))},
       {"model.mrk.json", whole(landmarks_markups(on_model))},
       {"data.mrk.json", whole(landmarks_markups(on_data))},
-      {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params))}};
-  for (const auto& [name, contents] : more.files) files.emplace_back(name, whole(contents));
+      {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params, symmetries))}};
+  if (results.symmetries) files.emplace_back("symmetry.json", whole(symmetries_json(symmetries)));
   folder.write(files);
+}
+
+/// What is printed: the JSON, or the table with what there is to know besides.
+std::string printed(const Family& family, const Results& results, const CommonOptions& options, const ResultFolder& folder) {
+  if (options.json) return results.json;
+  std::string text = family_table(family);
+  if (results.symmetries) text += symmetries_text(*results.symmetries);
+  if (folder.wanted()) text += fmt::format("The report is {}\n", (folder / "report.html").string());
+  return text;
 }
 
 }  // namespace
 
 int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
-            const ResultFolder& folder, Console& console, const MoreResults& more) {
+            const ResultFolder& folder, Console& console, Against against) {
   console.stage("writing results");
-  const std::string json = match_json(model.shape, data.shape, family, params);
-  if (folder.wanted()) write_results(folder, model, data, family, params, json, more);
+  const bool parts_too = folder.wanted() || (against == Against::itself && !options.json);
+  const Results results = results_of(model, data, family, params, parts_too, against);
+  if (folder.wanted()) write_results(folder, model, data, family, params, results);
   console.watch().lap("writing results", family.matches.size(), "matches");
   console.clear();
-  std::string text = options.json ? json : family_table(family) + more.text;
-  if (folder.wanted() && !options.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
-  print_result(text);
+  print_result(printed(family, results, options, folder));
   if (!family.matches.empty()) return kFound;
   print_message(why_nothing(family.counts));
   return kNothingFound;

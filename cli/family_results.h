@@ -15,15 +15,12 @@ std::string family_table(const Family& family);
 /// At which stage the last candidate died, as a sentence.
 std::string why_nothing(const StageCounts& counts);
 
-/// What a verb tells beside the family: text under the table, and files by their names.
-struct MoreResults {
-  std::string text;
-  std::vector<std::pair<std::string, std::string>> files;
-};
+/// A shape against itself has symmetries, which are told besides.
+enum class Against { another, itself };
 
 /// Writes the files, prints the table or JSON, and returns the exit code. Everything is computed before anything is written but the text
 /// of the largest files.
 int deliver(const DescribedFile& model, const DescribedFile& data, const Family& family, const Params& params, const CommonOptions& options,
-            const ResultFolder& folder, Console& console, const MoreResults& more = {});
+            const ResultFolder& folder, Console& console, Against against = Against::another);
 
 }  // namespace homolog::cli

@@ -5,8 +5,6 @@
 #include <memory>
 
 #include "family_results.h"
-#include "homolog/base/parallel.h"
-#include "homolog/outputs/symmetry_text.h"
 #include "self_match.h"
 #include "verbs.h"
 
@@ -38,12 +36,7 @@ int match_with_itself(const std::string& path, const std::optional<Box>& part, c
   Console console(options.quiet, options.timing);
   const DescribedFile file = describe_file(path, part, params, options.limits, console, label);
   console.stage("matching");
-  const Family family = find_symmetries(file.shape, params, &console.watch());
-  const ThreadLimit limit(params.threads);
-  const std::vector<Symmetry> symmetries =
-      symmetries_of(file.meshed(), family.matches, covered_parts(file.meshed(), file.meshed(), family.matches));
-  return deliver(file, file, family, params, options, folder, console,
-                 {symmetries_text(symmetries), {{"symmetry.json", symmetries_json(symmetries)}}});
+  return deliver(file, file, find_symmetries(file.shape, params, &console.watch()), params, options, folder, console, Against::itself);
 }
 
 Verb add_symmetry(CLI::App& program) {

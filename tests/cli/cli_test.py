@@ -200,15 +200,6 @@ class Results(Program):
 
         self.assertLess(diagonal("--part", "y>0.5"), 0.9 * diagonal())
 
-    def test_symmetry_is_a_match_with_itself(self):
-        verb = self.run_it("symmetry", "bear.off", "--json", *COARSE)
-        flag = self.run_it("match", "bear.off", "--self", "--json", *COARSE)
-        self.assertEqual(verb.returncode, 0, verb.stderr)
-        self.assertEqual(verb.stdout, flag.stdout)
-        model, data = (json.loads(verb.stdout)[side] for side in ("model", "data"))
-        self.assertEqual(model["points"], data["points"][: len(model["points"])])  # followed points come after them
-        self.assertEqual(model["diagonal"], data["diagonal"])
-
     def test_flags_win_over_the_preset_wherever_they_stand(self):
         first = self.run_it("points", "bear.off", "--json", "--resolution", "48", "--preset", "paper")
         last = self.run_it("points", "bear.off", "--json", "--preset", "paper", "--resolution", "48")

@@ -154,6 +154,9 @@ int main(int argc, char** argv) {
   write_file(folder / "empty.html", match_report(left, right, nothing, {}, {}));
   write_file(folder / "points.html", points_report(left, {}));
   write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, parts, {}));
+  const Family itself = make_family(model, model);
+  const std::vector<Symmetry> symmetries = {{{}, itself.matches[0].similarity, 0.3}, {Plane{Vec3::UnitY(), 0}, {}, 0.0012}, {}};
+  write_file(folder / "symmetry.html", match_report(left, left, itself, covered_parts(left, left, itself.matches), {}, symmetries));
   const MatchMap map = match_maps(family.matches, a, b, parts).front();
   const Morph morph = make_morph(map, model.mesh, dense_maps(map, model.mesh, data.mesh));
   write_file(folder / "morph.glb", morph_glb(morph, {}));

@@ -170,6 +170,27 @@ test('every switch changes the picture', async (t) => {
   done();
 });
 
+test('a mirror plane stands in both panes, with its error in the list', async (t) => {
+  const { page, look, done } = await open(t, 'symmetry.html');
+  const notes = page.locator('.match .symmetry');
+  assert.deepEqual(await notes.allInnerTexts(), ['repeated, turned by 0.0\u00b0, error 30\u2009%',
+    'mirror plane, error 0.12\u2009%', 'repeated, turned by 0.0\u00b0, error 0.001\u2009%']);
+  assert.equal(await change(look, () => page.keyboard.press('m')), 0, 'no plane of a repeated part');
+  await page.keyboard.press('2');
+  assert.match(await page.locator('#details').innerText(), /mirror plane\s+normal 0, 1, 0; offset 0\s+error\s+0\.12/);
+  const without = await look();
+  await page.locator('.chip', { hasText: 'Mirror plane' }).click();
+  const shown = await look();
+  for (const half of [[0, 0.5], [0.5, 1]]) assert.ok((await pictures.difference(without, shown, half)) > 0.05, `plane in ${half}`);
+  done();
+});
+
+test('two shapes have no mirror plane to show', async (t) => {
+  const { page, done } = await open(t, 'match.html');
+  assert.equal(await page.locator('.chip', { hasText: 'Mirror plane' }).count() + await page.locator('.symmetry').count(), 0);
+  done();
+});
+
 test('a hostile file name stays text', async (t) => {
   const { page, done } = await open(t, 'hostile.html');
   assert.match(await page.locator('#title').innerText(), /<\/script><script>alert\(1\)<\/script><img src=x onerror=alert\(2\)>\.off/);

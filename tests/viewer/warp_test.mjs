@@ -4,6 +4,7 @@ import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import test from 'node:test';
 import { nearest } from '../../viewer/src/colour_transfer.js';
+import { planeCorners } from '../../viewer/src/mirror_plane.js';
 import { phaseOf, shareAt } from '../../viewer/src/play.js';
 import { readReport } from '../../viewer/src/report.js';
 import { between, journey } from '../../viewer/src/warp.js';
@@ -59,4 +60,23 @@ test('the nearest point is found across cells, and none out of reach', () => {
   const { index, share } = nearest(new Float32Array([0, 0, 0, 0.9, 0, 0]), new Float32Array([1.1, 0, 0, -0.1, -0.1, 0, 5, 5, 5]), 1);
   assert.deepEqual([...index], [1, 0, -1]);
   assert.deepEqual([...share], [1, 1, 0]);
+});
+
+test('the rectangle of a mirror plane lies in it and is as large as the shape', () => {
+  const normal = [2 / 3, -1 / 3, 2 / 3];
+  const dot = (p) => p.reduce((sum, x, k) => sum + x * normal[k], 0);
+  const offset = dot(data.mesh.centre) + 0.1 * data.mesh.radius;
+  const corners = planeCorners(data.mesh, { normal, offset });
+  for (const corner of corners) assert.ok(Math.abs(dot(corner) - 0.1 * data.mesh.radius) < 1e-6 * data.mesh.radius);
+  const sides = corners.map((corner, i) => corners[(i + 1) % 4].map((x, k) => x - corner[k]));
+  for (const [i, side] of sides.entries()) {
+    const next = sides[(i + 1) % 4];
+    assert.ok(Math.abs(side.reduce((sum, x, k) => sum + x * next[k], 0)) < 1e-6 * data.mesh.radius ** 2, 'right angles');
+    const along = (p) => p.reduce((sum, x, k) => sum + x * side[k], 0);
+    const [from, to] = [along(corners[i]), along(corners[(i + 1) % 4])];
+    for (let k = 0; k < data.mesh.positions.length; k += 3) {
+      const here = along(data.mesh.positions.subarray(k, k + 3));
+      assert.ok(here > from && here < to);
+    }
+  }
 });

@@ -6,6 +6,7 @@ const scale = [[0.95, 0.66, 0.2], [0.88, 0.42, 0.36], [0.72, 0.22, 0.5], [0.5, 0
 export const surfaceColour = [0.8, 0.83, 0.86];
 export const partColour = [0.2, 0.66, 0.62];
 export const overlayColour = [0.98, 0.72, 0.35];
+export const planeColour = 0x2f7fe0;
 export const idleColour = [0.5, 0.55, 0.62];
 
 export const mix = (a, b, t) => a.map((x, i) => x + t * (b[i] - x));

@@ -17,7 +17,7 @@ export function attachKeys(element, app) {
     if (count) app.choosePair((state.pair + by + count) % count);
   };
   const keys = {
-    p: flip('points'), u: flip('others'), l: flip('lines'), k: flip('linked'), f: flip('aligned'), o: flip('overlay'),
+    p: flip('points'), u: flip('others'), l: flip('lines'), m: flip('plane'), k: flip('linked'), f: flip('aligned'), o: flip('overlay'),
     n: step(1), b: step(-1), 0: app.reset, Escape: () => set({ pair: -1, ball: null }),
   };
   for (let i = 1; i <= 9; ++i) keys[i] = () => app.chooseMatch(i - 1);

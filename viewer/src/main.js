@@ -13,7 +13,7 @@ const report = readReport(byId('report').textContent);
 const state = {
   match: report.matches.length ? 0 : -1, pair: -1, ball: null, hovered: -1,
   share: 0, playing: false, overlay: true, least: 0,
-  points: true, others: true, lines: true, linked: true, aligned: true,
+  points: true, others: true, lines: true, plane: true, linked: true, aligned: true,
   colouring: 'part', opacity: fittingOpacity.part, ballScale: 1,
 };
 

@@ -1,9 +1,10 @@
-// One shape in its pane: surface, balls at the salient points, and (on the side of the data) the warped model laid over it.
+// One shape in its pane: surface, balls at the salient points, mirror plane, and (on the side of the data) the warped model laid over it.
 import {
   BufferAttribute, BufferGeometry, DoubleSide, Group, Mesh, MeshBasicMaterial, PerspectiveCamera, Quaternion, Raycaster, Scene, Vector2, Vector3,
 } from 'three';
 import { Balls } from './balls.js';
 import { surfaceMaterial } from './materials.js';
+import { MirrorPlane } from './mirror_plane.js';
 
 const fieldOfView = 26;
 
@@ -56,7 +57,8 @@ export class Pane {
     this.scene.add(this.turned.add(this.frame));
     this.surface = new Surface(shape.mesh, 10);
     this.balls = new Balls(shape.points.length);
-    this.frame.add(this.surface.group, this.balls.group);
+    this.plane = new MirrorPlane(shape.mesh);
+    this.frame.add(this.surface.group, this.balls.group, this.plane.group);
     this.area = { x: 0, y: 0, width: 1, height: 1 };
     this.fit = 1;
   }

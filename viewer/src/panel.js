@@ -11,6 +11,27 @@ function meter(confidence) {
     make('span', { style: `width: ${100 * confidence}%; background: ${css(valueColour(confidence))}` }));
 }
 
+const leastError = 1e-5;  // in diagonals; smaller ones are a matter of rounding
+
+const errorOf = ({ error }) => `${Number((100 * Math.max(error, leastError)).toPrecision(2))}\u2009%`;
+
+/// What a match of a shape with itself says, in a line.
+function symmetryNote(symmetry) {
+  if (!symmetry) return [];
+  const does = symmetry.normal ? 'mirror plane' : `repeated, turned by ${symmetry.degrees.toFixed(1)}\u00b0`;
+  return [make('span', { class: 'second symmetry', title: 'root of the mean square distance from the surface, in diagonals' },
+    `${does}, error ${errorOf(symmetry)}`)];
+}
+
+function symmetryNumbers(symmetry) {
+  if (!symmetry) return [];
+  const { normal, offset, degrees, axis, shift } = symmetry;
+  const does = normal
+    ? [['mirror plane', `normal ${place(normal.map((x) => Math.round(1e4 * x) / 1e4))}; offset ${short(offset)}`]]
+    : [['turned by', `${degrees.toFixed(1)}\u00b0 about ${place(axis)}`], ['shifted by', place(shift)]];
+  return [...does, ['error', `${errorOf(symmetry)} of the diagonal (root mean square)`]];
+}
+
 function matchEntry(match, index, app) {
   const input = make('input', { type: 'radio', name: 'match', value: String(index), onchange: () => app.chooseMatch(index) });
   return make('label', { class: 'match' }, input,
@@ -19,7 +40,8 @@ function matchEntry(match, index, app) {
       make('span', { class: 'first' }, make('b', {}, `${match.pairs.length} pairs`), meter(match.confidence), percent(match.confidence)),
       make('span', { class: 'second', title: 'handedness, scale, and the shares of model and data that the match explains' },
         make('span', { class: `hand ${match.handedness}`, title: handednessNote[match.handedness] ?? '' }, match.handedness),
-        ` \u00d7${match.scale.toPrecision(3)} \u00b7 covers ${Math.round(100 * match.model_coverage)} / ${percent(match.data_coverage)}`)));
+        ` \u00d7${match.scale.toPrecision(3)} \u00b7 covers ${Math.round(100 * match.model_coverage)} / ${percent(match.data_coverage)}`),
+      symmetryNote(app.report.symmetries[index])));
 }
 
 function familyList(app) {
@@ -91,6 +113,7 @@ function matchNumbers({ report, state }) {
     ['handedness', `${match.handedness}${handednessNote[match.handedness] ? `: ${handednessNote[match.handedness]}` : ''}`],
     ['scale', short(match.scale)],
     ['covers', `${percent(match.model_coverage)} of the model, ${percent(match.data_coverage)} of the data`],
+    ...symmetryNumbers(report.symmetries[state.match]),
     ['bending', short(match.bending)],
     ['chamfer', short(match.chamfer)],
   ]), make('p', { class: 'hint' }, 'Click a ball, a line or a row below to read its numbers.')];

@@ -55,6 +55,7 @@ export class Stage {
     this.goal = this.look && state.aligned ? this.look.turn : new Quaternion();
     this.placeSurfaces();
     this.placeBalls();
+    this.placePlanes();
     this.redraw();
   }
 
@@ -93,6 +94,11 @@ export class Stage {
         });
       });
     });
+  }
+
+  placePlanes() {
+    const symmetry = this.report.symmetries[this.state.match];
+    for (const { plane } of this.panes) plane.show(this.state.plane && symmetry?.normal && symmetry);
   }
 
   redraw() {

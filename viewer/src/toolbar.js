@@ -30,6 +30,7 @@ export function fillToolbar(element, app) {
   element.append(
     toggle(state, set, 'points', 'Points', 'p'),
     ...(matched ? [toggle(state, set, 'others', 'Unmatched', 'u'), toggle(state, set, 'lines', 'Lines', 'l')] : []),
+    ...(report.symmetries.some(({ normal }) => normal) ? [toggle(state, set, 'plane', 'Mirror plane', 'm')] : []),
     ...(pairwise ? [toggle(state, set, 'linked', 'Linked', 'k')] : []),
     ...(matched ? [toggle(state, set, 'aligned', 'Face alike', 'f')] : []),
     ...(matched ? [choice(state, set, 'colouring', 'Colour', { part: 'part', position: 'position', plain: 'none' })] : []),
@@ -65,7 +66,7 @@ function warpControls(app) {
 
 /// Brings the controls in line with the state when keys or playing changed it.
 export function refreshControls(state) {
-  for (const name of ['points', 'others', 'lines', 'linked', 'aligned', 'overlay']) {
+  for (const name of ['points', 'others', 'lines', 'plane', 'linked', 'aligned', 'overlay']) {
     const input = document.getElementById(`show-${name}`);
     if (input) input.checked = state[name];
   }

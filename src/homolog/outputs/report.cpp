@@ -4,6 +4,7 @@
 #include "homolog/outputs/match_json.h"
 #include "homolog/outputs/report_mesh.h"
 #include "homolog/outputs/report_template.h"
+#include "homolog/outputs/symmetry_text.h"
 
 namespace homolog {
 namespace {
@@ -24,31 +25,33 @@ std::string without_markup(const std::string& json) {
   return text;
 }
 
-std::string page(const std::string& result, const ordered_json& meshes, const ordered_json& parts) {
+std::string page(const std::string& result, const ordered_json& meshes, const ordered_json& parts,
+                 const std::vector<Symmetry>& symmetries) {
   std::string text;
   for (const std::string_view piece : report_template) text += piece;
   static constexpr std::string_view kPlace = "{{report}}";
   text.replace(text.rfind(kPlace), kPlace.size(),
-               without_markup("{\"result\": " + result + ", \"meshes\": " + meshes.dump() + ", \"parts\": " + parts.dump() + "}"));
+               without_markup("{\"result\": " + result + ", \"meshes\": " + meshes.dump() + ", \"parts\": " + parts.dump() +
+                              ", \"itself\": " + symmetries_json(symmetries) + "}"));
   return text;
 }
 
 }  // namespace
 
 std::string match_report(const MeshedShape& model, const MeshedShape& data, const Family& family, const std::vector<MatchParts>& parts,
-                         const Params& params) {
+                         const Params& params, const std::vector<Symmetry>& symmetries) {
   const ClusteredMesh drawn_model = mesh_to_draw(model.mesh), drawn_data = mesh_to_draw(data.mesh);
   ordered_json weights = ordered_json::array();
   for (const MatchParts& part : parts) {
     weights.push_back({weights_for_page(drawn_model, part.model.vertices), weights_for_page(drawn_data, part.data.vertices)});
   }
   return page(match_json(model.shape, data.shape, family, params),
-              {mesh_for_page(model.mesh, drawn_model), mesh_for_page(data.mesh, drawn_data)}, weights);
+              {mesh_for_page(model.mesh, drawn_model), mesh_for_page(data.mesh, drawn_data)}, weights, symmetries);
 }
 
 std::string points_report(const MeshedShape& shape, const Params& params) {
   return page(points_json(shape.shape, params), ordered_json::array({mesh_for_page(shape.mesh, mesh_to_draw(shape.mesh))}),
-              ordered_json::array());
+              ordered_json::array(), {});
 }
 
 }  // namespace homolog

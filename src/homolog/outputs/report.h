@@ -6,12 +6,13 @@
 
 #include "homolog/homolog.h"
 #include "homolog/match/coverage.h"
+#include "homolog/match/symmetry.h"
 
 namespace homolog {
 
-/// `parts` as covered_parts() made them, one for each match.
+/// `parts` as covered_parts() made them, one for each match; `symmetries`, of a shape against itself, as symmetries_of() did.
 std::string match_report(const MeshedShape& model, const MeshedShape& data, const Family& family, const std::vector<MatchParts>& parts,
-                         const Params& params);
+                         const Params& params, const std::vector<Symmetry>& symmetries = {});
 std::string points_report(const MeshedShape& shape, const Params& params);
 
 }  // namespace homolog

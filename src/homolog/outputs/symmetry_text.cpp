@@ -21,7 +21,7 @@ double rounded(double x) { return std::round(x * 1e4) / 1e4 + 0.0; }
 
 std::string told(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
 
-std::string sentence(const Symmetry& symmetry) {
+std::string movement_of(const Symmetry& symmetry) {
   if (symmetry.mirror) {
     const auto& [normal, offset] = *symmetry.mirror;
     return fmt::format("mirrored in the plane {:.4f} x {:+.4f} y {:+.4f} z = {:.4g}", rounded(normal.x()), rounded(normal.y()),
@@ -48,11 +48,15 @@ ordered_json to_json(const Symmetry& symmetry) {
 
 }  // namespace
 
+std::string symmetry_sentence(const Symmetry& symmetry) {
+  return fmt::format("{}; it lies within {:.2g} % of the diagonal (root mean square)", movement_of(symmetry),
+                     100 * std::max(symmetry.error, least_error));
+}
+
 std::string symmetries_text(const std::vector<Symmetry>& symmetries) {
   std::string text;
   for (std::size_t i = 0; i < symmetries.size(); ++i) {
-    text += fmt::format("{:4}  {}; it lies within {:.2g} % of the diagonal (root mean square)\n", i + 1, sentence(symmetries[i]),
-                        100 * std::max(symmetries[i].error, least_error));
+    text += fmt::format("{:4}  {}\n", i + 1, symmetry_sentence(symmetries[i]));
   }
   return text;
 }

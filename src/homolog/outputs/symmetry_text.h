@@ -9,8 +9,10 @@
 
 namespace homolog {
 
-/// "1  mirrored in the plane 1.0000 x +0.0000 y +0.0000 z = 0.5; it lies within 0.02 % of the diagonal (root mean square)" and the like, a
-/// line each.
+/// "mirrored in the plane 1.0000 x +0.0000 y +0.0000 z = 0.5; it lies within 0.02 % of the diagonal (root mean square)" and the like.
+std::string symmetry_sentence(const Symmetry& symmetry);
+
+/// These after their ranks, a line each.
 std::string symmetries_text(const std::vector<Symmetry>& symmetries);
 
 /// {"symmetries": [...]} in the order of the family: {"kind": "mirrored", "normal", "offset", "error"}, the plane normal . x = offset, or
