@@ -97,31 +97,48 @@ Described describe(const Places& vertices, const Triangles& triangles, const std
   return described;
 }
 
-// What `find` finds of the model in the data, with what users take home of it.
-template <class Find>
-nb::tuple found(const Described& model, const Described& data, const Given& given, Find find) {
+// A family with what users take home of it.
+struct Found {
   Family family;
   std::vector<MatchParts> parts;
   std::vector<MatchMap> maps;
-  {
-    Interruptible working;
-    const Params params = params_of(given);
-    check_described_with(model, params);
-    check_described_with(data, params);
-    family = find(params);
-    const ThreadLimit limit(params.threads);
-    parts = covered_parts(model.meshed(), data.meshed(), family.matches);
-    maps = match_maps(family.matches, model.shape, data.shape, parts);
-  }
-  return family_fields(family, parts, maps);
+
+  nb::tuple fields() const { return family_fields(family, parts, maps); }
+};
+
+// What `find` finds of the model in the data.
+template <class Find>
+Found found(const Described& model, const Described& data, const Params& params, Find find) {
+  check_described_with(model, params);
+  check_described_with(data, params);
+  Found result{find(model.shape, data.shape), {}, {}};
+  const ThreadLimit limit(params.threads);
+  result.parts = covered_parts(model.meshed(), data.meshed(), result.family.matches);
+  result.maps = match_maps(result.family.matches, model.shape, data.shape, result.parts);
+  return result;
 }
 
 nb::tuple match(const Described& model, const Described& data, const Given& given) {
-  return found(model, data, given, [&](const Params& params) { return match_shapes(model.shape, data.shape, params); });
+  Found result;
+  {
+    Interruptible working;
+    const Params params = params_of(given);
+    result = found(model, data, params, [&](const Shape& a, const Shape& b) { return match_shapes(a, b, params); });
+  }
+  return result.fields();
 }
 
 nb::tuple symmetry(const Described& shape, const Given& given) {
-  return found(shape, shape, given, [&](const Params& params) { return find_symmetries(shape.shape, params); });
+  Found result;
+  std::vector<Symmetry> symmetries;
+  {
+    Interruptible working;
+    const Params params = params_of(given);
+    result = found(shape, shape, params, [&](const Shape& a, const Shape&) { return find_symmetries(a, params); });
+    const ThreadLimit limit(params.threads);
+    symmetries = symmetries_of(shape.meshed(), result.family.matches, result.parts);
+  }
+  return nb::make_tuple(result.fields(), symmetries_fields(symmetries));
 }
 
 Places warp(const std::string& kernel, const Places& centres, const Places& weights, const Eigen::Matrix<double, 3, 4>& affine,

@@ -3,6 +3,7 @@
 
 #include <nanobind/eigen/dense.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
 #include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
@@ -12,6 +13,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "homolog/outputs/symmetry_text.h"
 #include "interruptible.h"
 
 namespace nb = nanobind;
@@ -61,6 +63,23 @@ nb::dict match_fields(const Match& match, const MatchParts& parts, const MatchMa
   fields["model_part"] = weights_of(parts.model.vertices);
   fields["data_part"] = weights_of(parts.data.vertices);
   fields["_map"] = map;
+  return fields;
+}
+
+/// A reflection is a similarity, too.
+Similarity similarity_of(const Symmetry& symmetry) {
+  if (!symmetry.mirror) return symmetry.movement;
+  const auto& [normal, offset] = *symmetry.mirror;
+  return {1, Mat3::Identity() - 2 * normal * normal.transpose(), 2 * offset * normal};
+}
+
+nb::dict symmetry_fields(const Symmetry& symmetry) {
+  nb::dict fields;
+  fields["normal"] = symmetry.mirror ? nb::cast(symmetry.mirror->normal) : nb::none();
+  fields["offset"] = symmetry.mirror ? nb::cast(symmetry.mirror->offset) : nb::none();
+  fields["matrix"] = Matrix4(similarity_of(symmetry).matrix());
+  fields["error"] = symmetry.error;
+  fields["sentence"] = symmetry_sentence(symmetry);
   return fields;
 }
 
@@ -137,6 +156,12 @@ nb::tuple family_fields(const Family& family, const std::vector<MatchParts>& par
   nb::dict counts;
   for (const auto& [stage, count] : family.counts.stages) counts[stage.c_str()] = count;
   return nb::make_tuple(matches, counts, points_fields(family.followed));
+}
+
+nb::list symmetries_fields(const std::vector<Symmetry>& symmetries) {
+  nb::list list;
+  for (const Symmetry& symmetry : symmetries) list.append(symmetry_fields(symmetry));
+  return list;
 }
 
 nb::class_<MatchMap> bind_match_map(nb::module_& module) {

@@ -5,6 +5,7 @@
 #include <nanobind/nanobind.h>
 
 #include "homolog/homolog.h"
+#include "homolog/match/symmetry.h"
 #include "homolog/match/transfer.h"
 
 namespace homolog::python {
@@ -13,6 +14,9 @@ nanobind::dict points_fields(const std::vector<SalientPoint>& points);
 
 /// The matches, best first, and the counts of the stages.
 nanobind::tuple family_fields(const Family& family, const std::vector<MatchParts>& parts, const std::vector<MatchMap>& maps);
+
+/// What each match of a shape with itself says.
+nanobind::list symmetries_fields(const std::vector<Symmetry>& symmetries);
 
 /// The class MatchMap, which carries points and pickles.
 nanobind::class_<MatchMap> bind_match_map(nanobind::module_& module);

@@ -17,12 +17,12 @@ from typing import Any
 from homolog import _core
 from homolog._core import __version__
 from homolog.dense import Dense, DenseMap, Morph
-from homolog.results import Carried, Family, Match, Points, ThinPlateSpline, family_of
+from homolog.results import Carried, Family, Match, Points, Symmetry, ThinPlateSpline, family_of
 from homolog.shapes import Shape, arrays_of, texts_of
 
 __all__ = [
-    "Carried", "Dense", "DenseMap", "Family", "Match", "Morph", "Points", "Shape", "ThinPlateSpline", "__version__", "describe", "match",
-    "parameters", "points", "symmetry",
+    "Carried", "Dense", "DenseMap", "Family", "Match", "Morph", "Points", "Shape", "Symmetry", "ThinPlateSpline", "__version__", "describe",
+    "match", "parameters", "points", "symmetry",
 ]  # fmt: skip
 
 
@@ -63,10 +63,11 @@ def match(model: Any, data: Any, *, model_part: Any = None, data_part: Any = Non
 
 
 def symmetry(shape: Any, *, part: Any = None, **parameters: Any) -> Family:
-    """A shape against itself: its symmetries and repeated parts, the identity left out."""
+    """A shape against itself: its symmetries and repeated parts, the identity left out. What each one says stands in `symmetries`."""
     texts = _with_those_of((shape,), parameters)
     shape = _described(shape, part, texts)
-    return family_of(_core.symmetry(shape._described, texts), copy(shape), copy(shape))
+    found, symmetries = _core.symmetry(shape._described, texts)
+    return family_of(found, copy(shape), copy(shape), symmetries)
 
 
 def parameters() -> list[dict[str, Any]]:

@@ -115,6 +115,20 @@ class Match:
         return f"<homolog.Match: {', '.join(f'{h} {v}' for h, v in zip(_HEADS[1:], self._row()))}>"
 
 
+@dataclass(frozen=True, eq=False, repr=False)
+class Symmetry:
+    """How a match lays a shape onto itself: by the reflection in a plane, or by the similarity that moves a part to where it is repeated."""
+
+    normal: np.ndarray | None  #: (3,), unit length, of the mirror plane normal . x = offset; None of a repeated part
+    offset: float | None  #: of that plane, in the unit of the shape
+    matrix: np.ndarray  #: (4, 4), the reflection or the similarity
+    error: float  #: how exact: root of the mean square distance from the surface at which the part lies then, in diagonals
+    sentence: str  #: the same in words
+
+    def __repr__(self) -> str:
+        return f"<homolog.Symmetry: {self.sentence}>"
+
+
 _HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
 
 
@@ -127,6 +141,7 @@ class Family(Sequence):
     model: Shape
     data: Shape
     followed: Points  #: places in the data to which matches follow a point of the model; their numbers go on those of data.points
+    symmetries: tuple[Symmetry, ...] = ()  #: of homolog.symmetry: what each match says, in their order; empty of homolog.match
 
     def __len__(self) -> int:
         return len(self.matches)
@@ -179,7 +194,8 @@ class Family(Sequence):
         rows = [_HEADS, *self._rows()]
         widths = [max(map(len, column)) for column in zip(*rows)]
         table = "\n".join("  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows)
-        return table if self.matches else f"nothing found; {self._counted()}"
+        said = "".join(f"\n{rank:4}  {symmetry.sentence}" for rank, symmetry in enumerate(self.symmetries, 1))
+        return table + said if self.matches else f"nothing found; {self._counted()}"
 
     def _counted(self) -> str:
         return ", ".join(f"{stage} {count}" for stage, count in self.counts.items())
@@ -190,11 +206,13 @@ class Family(Sequence):
 
         if not self.matches:
             return f"<p>{self!r}</p>"
-        return f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
+        said = "".join(f"<li>{symmetry.sentence}</li>" for symmetry in self.symmetries)
+        table = f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
+        return f"{table}<ol>{said}</ol>" if said else table
 
 
-def family_of(found: tuple[list[dict], dict[str, int], dict], model: Shape, data: Shape) -> Family:
+def family_of(found: tuple[list[dict], dict[str, int], dict], model: Shape, data: Shape, symmetries: Sequence[dict] = ()) -> Family:
     """From what _core returns."""
     matches, counts, followed = found
     made = (Match(**{**fields, "data_from_model": ThinPlateSpline(**fields["data_from_model"])}) for fields in matches)
-    return Family(tuple(made), counts, model, data, Points(**followed))
+    return Family(tuple(made), counts, model, data, Points(**followed), tuple(Symmetry(**fields) for fields in symmetries))

@@ -100,13 +100,43 @@ def test_the_upper_half_is_found_in_the_whole(bear):
     assert best.model_part[~upper].max() == 0
 
 
-def test_a_bears_symmetry_is_its_mirror_image_and_not_the_identity():
+@pytest.fixture(scope="module")
+def symmetric_bear():
     vertices, faces = bear_arrays(arm=(1.9, 0.9, 0.4))
-    found = homolog.symmetry((vertices, faces), **COARSE)
+    return vertices, homolog.symmetry((vertices, faces), **COARSE)
+
+
+def test_a_bears_symmetry_is_its_mirror_image_and_not_the_identity(symmetric_bear):
+    vertices, found = symmetric_bear
     bound = RIGHT * np.linalg.norm(np.ptp(vertices, axis=0))
     assert np.linalg.norm(found[0].data_from_model(vertices) - vertices * [-1, 1, 1], axis=1).mean() < bound
     for match in found:
         assert np.linalg.norm(match.data_from_model(vertices) - vertices, axis=1).mean() > bound
+
+
+def test_the_mirror_plane_of_a_bear_is_exact(symmetric_bear):
+    vertices, found = symmetric_bear
+    symmetry = found.symmetries[0]
+    assert len(found.symmetries) == len(found)
+    np.testing.assert_allclose(symmetry.normal, [1, 0, 0], atol=0.01)
+    assert abs(symmetry.offset) < 0.01
+    reflected = vertices @ symmetry.matrix[:3, :3].T + symmetry.matrix[:3, 3]
+    np.testing.assert_allclose(reflected, vertices - 2 * np.outer(vertices @ symmetry.normal - symmetry.offset, symmetry.normal), atol=1e-12)
+    assert symmetry.error < 0.003
+
+
+def test_a_bent_body_is_less_exact_than_a_straight_one(symmetric_bear, bear):
+    bent = [symmetry for symmetry in homolog.symmetry(bear, mirror="only", **COARSE).symmetries if symmetry.normal is not None]
+    assert bent[0].error > 5 * symmetric_bear[1].symmetries[0].error
+    assert bent[0].error > 0.01
+
+
+def test_symmetries_say_themselves_and_pickle(symmetric_bear, family):
+    found = symmetric_bear[1]
+    sentence = found.symmetries[0].sentence
+    assert sentence.startswith("mirrored in the plane 1.0000 x") and sentence in repr(found) and sentence in found._repr_html_()
+    assert bytes_of(pickle.loads(pickle.dumps(found))) == bytes_of(found)
+    assert family.symmetries == () and "<ol>" not in family._repr_html_()
 
 
 def test_bytes_repeat_for_any_number_of_threads(bear, family):
