@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/match/way_back.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
