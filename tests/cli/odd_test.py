@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 # What strangers throw at the program: each file of odd_files.py gives the points of the plain bear, or one sentence that says what to do.
+import json
 import os
 import unittest
 
@@ -21,6 +22,21 @@ class OddFiles(Program):
                     self.assertEqual(code, 3)
                     self.assertRegex(said, r"\Ahomolog: [^\n]+\n\Z")
                     self.assertIn(words, said)
+
+    def test_the_plain_bear_is_found_in_each(self):
+        with open(self.path("plain.off"), "w") as file:
+            file.write(bear.off(*odd_files.plain()))
+        for name, content, words in odd_files.all_files():
+            with self.subTest(name):
+                with open(self.path(name), "wb") as file:
+                    file.write(content)
+                done = self.run_it("match", "plain.off", name, "--json", "--quiet", *COARSE)
+                if words is odd_files.POINTS:
+                    self.assertEqual((done.returncode, done.stderr), (0, ""))
+                    self.assertGreater(json.loads(done.stdout)["matches"][0]["confidence"], 0.9)
+                else:
+                    self.assertEqual((done.returncode, done.stdout), (3, ""))
+                    self.assertIn(words, done.stderr)
 
     def answer(self, name, content):
         with open(self.path(name), "wb") as file:
