@@ -4,7 +4,9 @@
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
-command -v dpkg-shlibdeps >/dev/null || { echo "build_deb: dpkg-shlibdeps is missing; install the package dpkg-dev." >&2; exit 1; }
+for tool in dpkg-shlibdeps:dpkg-dev file:file; do
+  command -v "${tool%:*}" >/dev/null || { echo "build_deb: ${tool%:*} is missing; install the package ${tool#*:}." >&2; exit 1; }
+done
 options=()  # a first build leaves out the tests, an existing one stays as it is
 [[ -f build/release/CMakeCache.txt ]] || options=(-DHOMOLOG_TESTS=OFF -DHOMOLOG_BENCH=OFF)
 cmake --preset release "${options[@]}"

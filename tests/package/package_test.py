@@ -102,7 +102,7 @@ class Completions(unittest.TestCase):
 
 
 class Package(unittest.TestCase):
-    @needs("cpack", "dpkg-deb", "dpkg-shlibdeps")
+    @needs("cpack", "dpkg-deb", "dpkg-shlibdeps", "file")
     def test_debian_packages(self):
         with tempfile.TemporaryDirectory() as folder:
             output_of("cpack", "-G", "DEB", "-B", folder, cwd=BUILD)
