@@ -3,18 +3,23 @@
 
 namespace homolog {
 
-Similarity best_similarity(const std::vector<WeighedPair>& pairs, Chirality chirality) {
-  double sum = 0;
-  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
+Means means_of(const std::vector<WeighedPair>& pairs) {
+  Means means;
   for (const WeighedPair& pair : pairs) {
-    sum += pair.weight;
-    a += pair.weight * pair.from;
-    b += pair.weight * pair.to;
+    means.weight += pair.weight;
+    means.from += pair.weight * pair.from;
+    means.to += pair.weight * pair.to;
   }
+  if (!(means.weight > 0)) return {};
+  means.from /= means.weight;
+  means.to /= means.weight;
+  return means;
+}
+
+Similarity best_similarity(const std::vector<WeighedPair>& pairs, Chirality chirality) {
+  const auto [a, b, sum] = means_of(pairs);
   Similarity s;
   if (!(sum > 0)) return s;
-  a /= sum;
-  b /= sum;
   Mat3 covariance = Mat3::Zero();
   double spread = 0;
   for (const WeighedPair& pair : pairs) {

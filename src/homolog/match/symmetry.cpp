@@ -95,16 +95,8 @@ Symmetry symmetry_of(const Surface& surface, const Part& part, const Match& matc
 Vec3 reflected(const Plane& plane, const Vec3& x) { return x - 2 * (plane.normal.dot(x) - plane.offset) * plane.normal; }
 
 Plane best_mirror_plane(const std::vector<WeighedPair>& pairs) {
-  double sum = 0;
-  Vec3 a = Vec3::Zero(), b = Vec3::Zero();
-  for (const WeighedPair& pair : pairs) {
-    sum += pair.weight;
-    a += pair.weight * pair.from;
-    b += pair.weight * pair.to;
-  }
+  const auto [a, b, sum] = means_of(pairs);
   if (!(sum > 0)) return {};
-  a /= sum;
-  b /= sum;
   Mat3 products = Mat3::Zero();
   for (const WeighedPair& pair : pairs) products += pair.weight * (pair.from - a) * (pair.to - b).transpose();
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(products + products.transpose());
