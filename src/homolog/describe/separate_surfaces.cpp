@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "homolog/shape/nearest_points.h"
+
 namespace homolog {
 namespace {
 
@@ -22,19 +24,14 @@ std::vector<int> pieces_of(const Body& body) {
   return piece;
 }
 
-int nearest_skin_node(const Body& body, const Vec3& x) {
-  const auto nearer = [&](const Vec3& a, const Vec3& b) { return (a - x).squaredNorm() < (b - x).squaredNorm(); };
-  const auto end = body.nodes.begin() + static_cast<std::ptrdiff_t>(body.surface_count);
-  return static_cast<int>(std::min_element(body.nodes.begin(), end, nearer) - body.nodes.begin());
-}
-
 }  // namespace
 
 std::vector<std::vector<SurfaceSample>> separate_surfaces(const std::vector<SurfaceSample>& surface, const Body& body, std::size_t most) {
   const std::vector<int> piece = pieces_of(body);
   if (std::all_of(piece.begin(), piece.end(), [](int p) { return p == 0; })) return {};
   std::vector<std::vector<SurfaceSample>> surfaces(piece.size());
-  for (const SurfaceSample& s : surface) surfaces[piece[nearest_skin_node(body, s.position)]].push_back(s);
+  const NearestPoints skin({body.nodes.begin(), body.nodes.begin() + static_cast<std::ptrdiff_t>(body.surface_count)});
+  for (const SurfaceSample& s : surface) surfaces[piece[skin.nearest(s.position, 1).front().number]].push_back(s);
   std::erase_if(surfaces, [](const auto& samples) { return samples.size() < least_samples; });
   if (surfaces.size() < 2) return {};
   std::stable_sort(surfaces.begin(), surfaces.end(), [](const auto& a, const auto& b) { return a.size() > b.size(); });

@@ -6,6 +6,7 @@
 #include "homolog/describe/shape.h"
 #include "homolog/match/cloth.h"
 #include "homolog/match/match.h"
+#include "homolog/shape/nearest_points.h"
 
 namespace homolog {
 
@@ -13,8 +14,8 @@ namespace homolog {
 /// it repeat what they got wrong.
 Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// Where a place of a body lies with its laid cloth, by the frames of the nearest nodes.
-Vec3 place_in(const Cloth& cloth, const Body& body, const Vec3& x);
+/// Where a place of a body lies with its laid cloth, by the frames of the nearest nodes; `near` asks the body's nodes.
+Vec3 place_in(const Cloth& cloth, const Body& body, const NearestPoints& near, const Vec3& x);
 
 /// Corrects the confidence of rated pairs by how far from its model point a data point comes home, as a share of `extent` (in the model);
 /// fitted to the pairs of the first four matches of 476 real pairs of shapes.
