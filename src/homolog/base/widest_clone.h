@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Functions on vectors of 16 floats or 8 doubles, which the compiler splits into what the processor at hand has: a whole, a half or a
-// quarter of them at once, chosen at run time.
+// Functions on vectors of 8 floats or 4 doubles, which the compiler makes of what the processor at hand has: whole ones or halves, chosen
+// at run time.
 // There must be no fused multiply-add in them, whose rounding differs: CMakeLists.txt forbids it to the compiler, file by file. Under
 // ThreadSanitizer there is no choice: it is made before that sanitizer has started, and crashes.
 #pragma once
@@ -13,13 +13,12 @@
 
 namespace homolog {
 
-/// In memory; need not be aligned.
-using SixteenFloats [[gnu::vector_size(64), gnu::aligned(4), gnu::may_alias]] = float;
+/// In memory; need not be aligned. No wider ones: choices on vectors that the processor does not have are compiled lane by lane, which
+/// takes up to nine times as long.
+using EightFloats [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = float;
+using FourDoubles [[gnu::vector_size(32), gnu::aligned(8), gnu::may_alias]] = double;
 
-/// In memory; need not be aligned.
-using EightDoubles [[gnu::vector_size(64), gnu::aligned(8), gnu::may_alias]] = double;
-
-[[gnu::always_inline]] inline const SixteenFloats& sixteen(const float* p) { return *reinterpret_cast<const SixteenFloats*>(p); }
-[[gnu::always_inline]] inline SixteenFloats& sixteen(float* p) { return *reinterpret_cast<SixteenFloats*>(p); }
+[[gnu::always_inline]] inline const EightFloats& eight(const float* p) { return *reinterpret_cast<const EightFloats*>(p); }
+[[gnu::always_inline]] inline EightFloats& eight(float* p) { return *reinterpret_cast<EightFloats*>(p); }
 
 }  // namespace homolog

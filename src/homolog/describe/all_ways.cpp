@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Every node asks its neighbours how far they are from eight sources, forwards and backwards along the body, until nothing changes: the
+// Every node asks its neighbours how far they are from many sources, forwards and backwards along the body, until nothing changes: the
 // sums are those of Dijkstra's ways, added up in the same order.
 #include "homolog/describe/all_ways.h"
 
@@ -14,7 +14,7 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t sources_a_vector = 8, vectors_a_task = 8;
+constexpr std::size_t sources_a_vector = 4, vectors_a_task = 8;
 
 /// Neighbours of node i of `order`: places in it, with their distances, from begin[i] to begin[i + 1].
 struct Graph {
@@ -44,26 +44,26 @@ Graph graph_of(const Body& body) {
 }
 
 /// One node's ways to the sources, `vectors_a_task` vectors of them, over its neighbours. True when one becomes shorter.
-[[gnu::always_inline]] inline bool shorten(const Graph& graph, std::size_t node, EightDoubles* ways) {
-  EightDoubles best[vectors_a_task];
+[[gnu::always_inline]] inline bool shorten(const Graph& graph, std::size_t node, FourDoubles* ways) {
+  FourDoubles best[vectors_a_task];
   for (std::size_t v = 0; v < vectors_a_task; ++v) best[v] = ways[node * vectors_a_task + v];
   for (std::size_t n = graph.begin[node]; n < graph.begin[node + 1]; ++n) {
-    const EightDoubles* others = ways + graph.neighbour[n] * vectors_a_task;
+    const FourDoubles* others = ways + graph.neighbour[n] * vectors_a_task;
     for (std::size_t v = 0; v < vectors_a_task; ++v) {
-      const EightDoubles longer = others[v] + graph.length[n];
+      const FourDoubles longer = others[v] + graph.length[n];
       best[v] = longer < best[v] ? longer : best[v];
     }
   }
-  bool shorter = false;
+  auto shorter = best[0] < best[0];
   for (std::size_t v = 0; v < vectors_a_task; ++v) {
-    EightDoubles& before = ways[node * vectors_a_task + v];
-    for (std::size_t s = 0; s < sources_a_vector; ++s) shorter |= best[v][s] < before[s];
+    FourDoubles& before = ways[node * vectors_a_task + v];
+    shorter |= best[v] < before;
     before = best[v];
   }
-  return shorter;
+  return (shorter[0] | shorter[1] | shorter[2] | shorter[3]) != 0;
 }
 
-HOMOLOG_WIDEST_CLONE void shorten_all(const Graph& graph, EightDoubles* ways) {
+HOMOLOG_WIDEST_CLONE void shorten_all(const Graph& graph, FourDoubles* ways) {
   const std::size_t count = graph.order.size();
   for (bool shorter = true; shorter;) {
     shorter = false;
@@ -86,7 +86,7 @@ Eigen::MatrixXd all_ways(const Body& body) {
       const auto node = static_cast<std::size_t>(graph.order[i]);
       if (node >= first && node < end) ways[i * sources + node - first] = 0;
     }
-    shorten_all(graph, reinterpret_cast<EightDoubles*>(ways.data()));
+    shorten_all(graph, reinterpret_cast<FourDoubles*>(ways.data()));
     for (std::size_t source = first; source < end; ++source) {
       for (std::size_t i = 0; i < count; ++i) all(graph.order[i], source) = ways[i * sources + source - first];
     }

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "homolog/base/halve.h"
+#include "homolog/base/widest_clone.h"
 
 namespace homolog {
 namespace {
@@ -45,6 +46,21 @@ void split(Order::iterator first, Order::iterator last, const std::vector<Vec3>&
   split(cut, last, places, borders);
 }
 
+// The squared distances of squared_distances(), and the least of them.
+HOMOLOG_WIDEST_CLONE float find_squares(const SampleBlock& block, const Eigen::Vector3f& place, float* squares) {
+  for (int k = 0; k < block_size; k += 8) {
+    const EightFloats x = eight(block.x.data() + k) - place.x(), y = eight(block.y.data() + k) - place.y(),
+                      z = eight(block.z.data() + k) - place.z();
+    eight(squares + k) = x * x + y * y + z * z;
+  }
+  float least[8];
+  eight(least) = eight(squares) < eight(squares + 8) ? eight(squares) : eight(squares + 8);
+  for (int half = 4; half > 0; half /= 2) {
+    for (int k = 0; k < half; ++k) least[k] = std::min(least[k], least[k + half]);
+  }
+  return least[0];
+}
+
 }  // namespace
 
 SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples) {
@@ -73,15 +89,15 @@ NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place) {
   const Eigen::Vector3f p = (place - samples.middle).cast<float>();
   float best = std::numeric_limits<float>::infinity(), within = best;
   NearestSample nearest;
+  float squares[block_size];
   for (const SampleBlock& block : samples.blocks) {
     const float passed = within + block.radius;
     if ((block.centre - p).squaredNorm() > passed * passed) continue;
-    int k = 0;
-    const float square = squared_distances(block, p).minCoeff(&k);
+    const float square = find_squares(block, p, squares);
     if (square >= best) continue;
     best = square;
     within = std::sqrt(square);
-    nearest = {block.sample[k], within};
+    nearest = {block.sample[std::find(squares, squares + block_size, square) - squares], within};
   }
   return nearest;
 }

@@ -11,10 +11,10 @@ namespace homolog {
 namespace {
 
 constexpr double flat_share = 0.05;  // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
-constexpr std::size_t lanes = 8;     // nodes at once
+constexpr std::size_t lanes = 4;     // nodes at once
 
-struct EightMatrices {
-  EightDoubles column[3][3];
+struct FourMatrices {
+  FourDoubles column[3][3];
 };
 
 // The mean of every node's and its neighbours'.
@@ -43,12 +43,12 @@ Spread spread_of(const Cloth& cloth, const Edges& edges, std::size_t i) {
   return spread;
 }
 
-// Turns eight rotations to those nearest to the covariances, starting where they stand (Mueller et al. 2016); determinants stay.
-HOMOLOG_WIDEST_CLONE void turn_towards(const EightMatrices& covariance, EightMatrices& rotation) {
-  const EightDoubles none = {};
+// Turns four rotations to those nearest to the covariances, starting where they stand (Mueller et al. 2016); determinants stay.
+HOMOLOG_WIDEST_CLONE void turn_towards(const FourMatrices& covariance, FourMatrices& rotation) {
+  const FourDoubles none = {};
   auto unsettled = none == none;
   for (int step = 0; step < 12; ++step) {
-    EightDoubles t[3] = {}, grip = none + 1e-300;
+    FourDoubles t[3] = {}, grip = none + 1e-300;
     for (int a = 0; a < 3; ++a) {
       const auto &r = rotation.column[a], &c = covariance.column[a];
       for (int k = 0; k < 3; ++k) {
@@ -57,16 +57,16 @@ HOMOLOG_WIDEST_CLONE void turn_towards(const EightMatrices& covariance, EightMat
         grip += r[k] * c[k];
       }
     }
-    for (EightDoubles& component : t) component /= 2 * (grip < 0 ? -grip : grip);
-    const EightDoubles square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];  // of half the angle's tangent
+    for (FourDoubles& component : t) component /= 2 * (grip < 0 ? -grip : grip);
+    const FourDoubles square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];  // of half the angle's tangent
     unsettled &= square < 1e200;
     for (int a = 0; a < 3; ++a) {  // the rotation by (1, t) as a quaternion
       auto& r = rotation.column[a];
-      const EightDoubles along = 2 * (t[0] * r[0] + t[1] * r[1] + t[2] * r[2]), still = 1 - square;
-      const EightDoubles x[3] = {r[0], r[1], r[2]};
+      const FourDoubles along = 2 * (t[0] * r[0] + t[1] * r[1] + t[2] * r[2]), still = 1 - square;
+      const FourDoubles x[3] = {r[0], r[1], r[2]};
       for (int k = 0; k < 3; ++k) {
         const int l = (k + 1) % 3, m = (k + 2) % 3;
-        const EightDoubles turned = (still * x[k] + along * t[k] + 2 * (t[l] * x[m] - t[m] * x[l])) / (1 + square);
+        const FourDoubles turned = (still * x[k] + along * t[k] + 2 * (t[l] * x[m] - t[m] * x[l])) / (1 + square);
         r[k] = unsettled ? turned : x[k];
       }
     }
@@ -77,8 +77,8 @@ HOMOLOG_WIDEST_CLONE void turn_towards(const EightMatrices& covariance, EightMat
   }
 }
 
-void turn_eight(Mat3* rotations, const Spread* spreads, std::size_t count) {
-  EightMatrices covariance = {}, rotation = {};
+void turn_four(Mat3* rotations, const Spread* spreads, std::size_t count) {
+  FourMatrices covariance = {}, rotation = {};
   for (std::size_t l = 0; l < count; ++l) {
     for (int a = 0; a < 3; ++a) {
       for (int k = 0; k < 3; ++k) {
@@ -117,7 +117,7 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
   const std::size_t count = cloth.nodes.size();
   std::vector<Spread> spreads(count);
   for (std::size_t i = 0; i < count; ++i) spreads[i] = spread_of(cloth, edges, i);
-  for (std::size_t i = 0; i < count; i += lanes) turn_eight(&cloth.rotations[i], &spreads[i], std::min(lanes, count - i));
+  for (std::size_t i = 0; i < count; i += lanes) turn_four(&cloth.rotations[i], &spreads[i], std::min(lanes, count - i));
   std::vector<Mat3> stretch(count, cloth.scale * Mat3::Identity());
   for (std::size_t i = 0; i < count; ++i) {
     if (edges.square[i] == 0) continue;

@@ -10,43 +10,51 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t lanes = 8;
+constexpr std::size_t lanes = 4;
 
-struct EightPlaces {
-  EightDoubles row[3];
+struct FourPlaces {
+  FourDoubles row[3];
 };
 
-struct EightMaps {
-  EightDoubles position[3], gradient[3][3];
+struct FourMaps {
+  FourDoubles position[3], gradient[3][3];
 };
+
+// The compiler takes roots side by side in a loop over memory, but not lane by lane.
+[[gnu::always_inline]] inline void take_roots(FourDoubles& squares) {
+  double in_memory[lanes];
+  for (std::size_t l = 0; l < lanes; ++l) in_memory[l] = squares[l];
+  for (double& square : in_memory) square = __builtin_sqrt(square);
+  for (std::size_t l = 0; l < lanes; ++l) squares[l] = in_memory[l];
+}
 
 // The terms of all centres, in their order: as local_map() adds them, to the last bit.
-HOMOLOG_WIDEST_CLONE void add_terms(const ThinPlateSpline& spline, const EightPlaces& x, EightMaps& sums) {
-  EightMaps local = sums;
+HOMOLOG_WIDEST_CLONE void add_terms(const ThinPlateSpline& spline, const FourPlaces& x, FourMaps& sums) {
+  FourMaps local = sums;
   const Vec3 *centres = spline.centres.data(), *weights = spline.weights.data();
-  const EightDoubles zero = {};
+  const FourDoubles zero = {};
   for (std::size_t k = 0; k < spline.centres.size(); ++k) {
     const double* c = centres[k].data();
     const double* w = weights[k].data();
-    const EightDoubles way[3] = {x.row[0] - c[0], x.row[1] - c[1], x.row[2] - c[2]};
-    const EightDoubles square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
-    EightDoubles distance;
-    for (std::size_t l = 0; l < lanes; ++l) distance[l] = __builtin_sqrt(square[l]);
+    const FourDoubles way[3] = {x.row[0] - c[0], x.row[1] - c[1], x.row[2] - c[2]};
+    const FourDoubles square = way[0] * way[0] + way[1] * way[1] + way[2] * way[2];
+    FourDoubles distance = square;
+    take_roots(distance);
     const bool r = spline.kernel == Kernel::r;
-    const EightDoubles value = r ? distance : distance * distance * distance;
-    const EightDoubles slope = r ? (distance > 0 ? 1 / distance : zero) : 3 * distance;
+    const FourDoubles value = r ? distance : distance * distance * distance;
+    const FourDoubles slope = r ? (distance > 0 ? 1 / distance : zero) : 3 * distance;
     for (int row = 0; row < 3; ++row) {
       local.position[row] += w[row] * value;
-      const EightDoubles pull = slope * w[row];
+      const FourDoubles pull = slope * w[row];
       for (int column = 0; column < 3; ++column) local.gradient[row][column] += pull * way[column];
     }
   }
   sums = local;
 }
 
-void map_eight(const ThinPlateSpline& spline, const Vec3* places, std::size_t count, LocalMap* maps) {
-  EightPlaces x;
-  EightMaps sums;
+void map_four(const ThinPlateSpline& spline, const Vec3* places, std::size_t count, LocalMap* maps) {
+  FourPlaces x;
+  FourMaps sums;
   for (std::size_t l = 0; l < lanes; ++l) {
     const Vec3& place = places[std::min(l, count - 1)];
     const Vec3 start = spline.affine.leftCols<3>() * place + spline.affine.col(3);
@@ -84,7 +92,7 @@ std::vector<LocalMap> local_maps(const ThinPlateSpline& spline, const std::vecto
   std::vector<LocalMap> maps(places.size());
   parallel_for((places.size() + lanes - 1) / lanes, [&](std::size_t block) {
     const std::size_t first = lanes * block;
-    map_eight(spline, &places[first], std::min(lanes, places.size() - first), &maps[first]);
+    map_four(spline, &places[first], std::min(lanes, places.size() - first), &maps[first]);
   });
   return maps;
 }

@@ -16,7 +16,7 @@ struct LocalMap {
 /// out: the mean over all directions.
 LocalMap local_map(const ThinPlateSpline& spline, const Vec3& x);
 
-/// The same at many places, eight at once; the same numbers to the last bit.
+/// The same at many places, four at once; the same numbers to the last bit.
 std::vector<LocalMap> local_maps(const ThinPlateSpline& spline, const std::vector<Vec3>& places);
 
 /// Where an outward unit normal at x points after the map, of unit length: J^-T n, right for mirrored maps, too.

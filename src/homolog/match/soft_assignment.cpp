@@ -10,17 +10,18 @@ namespace {
 
 constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
 constexpr float farthest = 12;         // where the weight is nothing: e^-12
+constexpr std::size_t lanes = 8;       // samples at once
 
 // x becomes e^x, for x <= 0, to 2e-7: a power of two, and a polynomial for the rest.
-[[gnu::always_inline]] inline void exponentiate(SixteenFloats& x) {
-  using Ints [[gnu::vector_size(64)]] = int;
-  const SixteenFloats lowest = SixteenFloats{} - 80;  // as good as nothing, and the power of two still normal
-  const SixteenFloats t = (x > lowest ? x : lowest) * 1.44269504f;
+[[gnu::always_inline]] inline void exponentiate(EightFloats& x) {
+  using Ints [[gnu::vector_size(32)]] = int;
+  const EightFloats lowest = EightFloats{} - 80;  // as good as nothing, and the power of two still normal
+  const EightFloats t = (x > lowest ? x : lowest) * 1.44269504f;
   const Ints whole = __builtin_convertvector(t - 0.5f, Ints);  // rounds, for t is negative
-  const SixteenFloats f = t - __builtin_convertvector(whole, SixteenFloats);
-  SixteenFloats power = 0.00015403530f * f + 0.0013333558f;
+  const EightFloats f = t - __builtin_convertvector(whole, EightFloats);
+  EightFloats power = 0.00015403530f * f + 0.0013333558f;
   for (const float coefficient : {0.0096181291f, 0.055504109f, 0.24022651f, 0.69314718f, 1.0f}) power = power * f + coefficient;
-  x = power * reinterpret_cast<SixteenFloats>((whole + 127) << 23);
+  x = power * reinterpret_cast<EightFloats>((whole + 127) << 23);
 }
 
 // A place of the skin as the blocks see it.
@@ -47,20 +48,22 @@ void add_near_blocks(const Place& place, const SampleBlocks& data, float limit, 
 // The weights of place i, added to the sums of the samples (sixteen a block) and to sixteen sums of the place.
 HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleBlock* blocks, float inverse, float nothing,
                                 Weights& weights, float* sample_sums, float* sums) {
-  const SixteenFloats zero = {};
+  const EightFloats zero = {};
   for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
     const SampleBlock& block = blocks[weights.block[b]];
-    const SixteenFloats x = sixteen(block.x.data()) - place.y.x(), y = sixteen(block.y.data()) - place.y.y();
-    const SixteenFloats z = sixteen(block.z.data()) - place.y.z();
-    SixteenFloats nearness = -inverse * (x * x + y * y + z * z);
-    exponentiate(nearness);
-    nearness -= nothing;
-    const SixteenFloats agreement =
-        sixteen(block.nx.data()) * place.n.x() + sixteen(block.ny.data()) * place.n.y() + sixteen(block.nz.data()) * place.n.z();
-    const SixteenFloats weight = (nearness > 0 ? nearness : zero) * (agreement > 0 ? agreement * agreement : zero);
-    sixteen(weights.weight.data() + b * block_size) = weight;
-    sixteen(sample_sums + weights.block[b] * block_size) += weight;
-    sixteen(sums) += weight;
+    for (std::size_t k = 0; k < block_size; k += lanes) {
+      const EightFloats x = eight(block.x.data() + k) - place.y.x(), y = eight(block.y.data() + k) - place.y.y(),
+                        z = eight(block.z.data() + k) - place.y.z();
+      EightFloats nearness = -inverse * (x * x + y * y + z * z);
+      exponentiate(nearness);
+      nearness -= nothing;
+      const EightFloats agreement =
+          eight(block.nx.data() + k) * place.n.x() + eight(block.ny.data() + k) * place.n.y() + eight(block.nz.data() + k) * place.n.z();
+      const EightFloats weight = (nearness > 0 ? nearness : zero) * (agreement > 0 ? agreement * agreement : zero);
+      eight(weights.weight.data() + b * block_size + k) = weight;
+      eight(sample_sums + weights.block[b] * block_size + k) += weight;
+      eight(sums + k) += weight;
+    }
   }
 }
 
@@ -68,21 +71,23 @@ HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleB
 // plane, twice.
 HOMOLOG_WIDEST_CLONE void add_up(const Place& place, std::size_t i, const SampleBlock* blocks, const Weights& weights, float by_place,
                                  const float* by_sample, float* sums) {
-  SixteenFloats total[5] = {};
-  for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
-    const SampleBlock& block = blocks[weights.block[b]];
-    const SixteenFloats share =
-        sixteen(weights.weight.data() + b * block_size) * (sixteen(by_sample + weights.block[b] * block_size) + by_place);
-    const SixteenFloats x = sixteen(block.x.data()), y = sixteen(block.y.data()), z = sixteen(block.z.data());
-    total[0] += share * x;
-    total[1] += share * y;
-    total[2] += share * z;
-    total[3] += share;
-    total[4] += share * ((x - place.y.x()) * (sixteen(block.nx.data()) - place.n.x()) +
-                         (y - place.y.y()) * (sixteen(block.ny.data()) - place.n.y()) +
-                         (z - place.y.z()) * (sixteen(block.nz.data()) - place.n.z()));
+  for (std::size_t k = 0; k < block_size; k += lanes) {
+    EightFloats total[5] = {};
+    for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
+      const SampleBlock& block = blocks[weights.block[b]];
+      const EightFloats share =
+          eight(weights.weight.data() + b * block_size + k) * (eight(by_sample + weights.block[b] * block_size + k) + by_place);
+      const EightFloats x = eight(block.x.data() + k), y = eight(block.y.data() + k), z = eight(block.z.data() + k);
+      total[0] += share * x;
+      total[1] += share * y;
+      total[2] += share * z;
+      total[3] += share;
+      total[4] += share * ((x - place.y.x()) * (eight(block.nx.data() + k) - place.n.x()) +
+                           (y - place.y.y()) * (eight(block.ny.data() + k) - place.n.y()) +
+                           (z - place.y.z()) * (eight(block.nz.data() + k) - place.n.z()));
+    }
+    for (std::size_t n = 0; n < 5; ++n) eight(sums + n * block_size + k) = total[n];
   }
-  for (std::size_t k = 0; k < 5; ++k) sixteen(sums + k * block_size) = total[k];
 }
 
 // One over the sums, and over what the outliers take: half of a unit's mass for each way of assigning.

@@ -152,7 +152,8 @@ std::optional<SurfacePlace> NearestSurface::nearest(const Vec3& x, const Vec3& n
     std::uint32_t number;
     double square_distance;
   };
-  std::array<Open, 64> open{{{0, square_distance(nodes_[0].box, x)}}};  // halving leaves at most 32 levels
+  std::array<Open, 64> open;  // halving leaves at most 32 levels
+  open[0] = {0, square_distance(nodes_[0].box, x)};
   std::size_t count = 1;
   while (count > 0) {
     const auto [number, distance] = open[--count];

@@ -14,12 +14,12 @@ namespace {
 
 constexpr std::int32_t none = -1;
 constexpr double depth_steps = 65536;  // a voxel; as many as a whole ray weighs
-constexpr int rays_at_once = 8;
+constexpr int rays_at_once = 4;
 constexpr std::size_t row_block = 16;  // rows are as long as vectors that fit
 
-using EightInts [[gnu::vector_size(32), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
+using FourInMemory [[gnu::vector_size(16), gnu::aligned(4), gnu::may_alias]] = std::int32_t;
 
-[[gnu::always_inline]] inline EightInts& eight_of(std::int32_t* p) { return *reinterpret_cast<EightInts*>(p); }
+[[gnu::always_inline]] inline FourInMemory& four_of(std::int32_t* p) { return *reinterpret_cast<FourInMemory*>(p); }
 
 static_assert(rays_per_voxel == 4, "cut_rows() cuts the rows of a layer");
 
@@ -73,7 +73,7 @@ struct DepthOnRow {
 /// Crossings of a layer, many at once: those beyond the end of a row are written, too, but not kept.
 struct Crossings {
   std::int32_t count;
-  EightDoubles least_depth, most_depth;
+  FourDoubles least_depth, most_depth;
   const double* columns;
   std::vector<std::int32_t>&places, &next;
 
@@ -85,16 +85,16 @@ struct Crossings {
 
   /// Of the rays [ray, end) of a row, whose first crossings are given.
   [[gnu::always_inline]] void add(const DepthOnRow& row, int ray, int end, std::int32_t* first) {
-    constexpr EightInts eight{0, 1, 2, 3, 4, 5, 6, 7};
+    constexpr FourInts four{0, 1, 2, 3};
     do {
-      const EightDoubles share = (*reinterpret_cast<const EightDoubles*>(columns + ray) - row.column) * row.inverse_length;
-      const EightDoubles depth = row.depth + (share < 1 ? share : 1 + EightDoubles{}) * row.way;
-      const EightDoubles deep_enough = depth > least_depth ? depth : least_depth;
-      const EightInts steps = __builtin_convertvector((deep_enough < most_depth ? deep_enough : most_depth) + 0.5, EightInts);
-      EightInts& before = eight_of(first + ray);
-      eight_of(places.data() + count) = 2 * steps + row.downward;
-      eight_of(next.data() + count) = before;
-      before = eight < end - ray ? count + eight : before;
+      const FourDoubles share = (*reinterpret_cast<const FourDoubles*>(columns + ray) - row.column) * row.inverse_length;
+      const FourDoubles depth = row.depth + (share < 1 ? share : 1 + FourDoubles{}) * row.way;
+      const FourDoubles deep_enough = depth > least_depth ? depth : least_depth;
+      const FourInts steps = __builtin_convertvector((deep_enough < most_depth ? deep_enough : most_depth) + 0.5, FourInts);
+      FourInMemory& before = four_of(first + ray);
+      four_of(places.data() + count) = 2 * steps + row.downward;
+      four_of(next.data() + count) = before;
+      before = four < end - ray ? count + four : before;
       count += std::clamp(end - ray, 0, rays_at_once);
       ray += rays_at_once;
     } while (ray < end);
@@ -148,7 +148,7 @@ HOMOLOG_WIDEST_CLONE void LayerRays::find_crossings(int number) {
   const double* rows = bundle_.rows.middle.data() + static_cast<std::ptrdiff_t>(number) * rays_per_voxel;
   const FourDoubles four_rows{rows[0], rows[1], rows[2], rows[3]};
   const double least = depth_steps * surface_.part.min[axes.depth], most = depth_steps * surface_.part.max[axes.depth];
-  Crossings crossings{0, least + EightDoubles{}, most + EightDoubles{}, columns, places_, next_};
+  Crossings crossings{0, least + FourDoubles{}, most + FourDoubles{}, columns, places_, next_};
   for (std::uint32_t n = bundle_.begin[number]; n < bundle_.begin[number + 1]; ++n) {
     const auto& [a, b, c] = surface_.triangles[bundle_.numbers[n]];
     const RowCuts cuts = cut_rows(surface_.vertices[a], surface_.vertices[b], surface_.vertices[c], axes, four_rows);

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 
+#include "homolog/base/widest_clone.h"
 #include "homolog/shape/ray_crossing.h"
 
 namespace homolog {
 
-using FourDoubles [[gnu::vector_size(32)]] = double;
 using FourMasks [[gnu::vector_size(32)]] = std::int64_t;  ///< -1 where true, 0 where not
 using FourInts [[gnu::vector_size(16)]] = std::int32_t;
 
