@@ -5,23 +5,18 @@
 #include <cstdlib>
 #include <new>
 
-#if defined(__linux__)
-#include <sys/mman.h>
-#endif
+#include "homolog/base/large_memory.h"
 
 namespace homolog {
 
 namespace {
 
-// Memory in huge pages, if the system lends them: asking it for every small page takes longer than a blur of what is in it.
-void* large_memory(std::size_t bytes) {
-  constexpr std::size_t huge_page = 2 << 20;
+// Beginning on a border of huge pages when it is large.
+void* aligned_memory(std::size_t bytes) {
   const std::size_t border = bytes < huge_page ? 64 : huge_page;
   void* memory = std::aligned_alloc(border, (bytes + border - 1) / border * border);
   if (!memory) throw std::bad_alloc();
-#ifdef MADV_HUGEPAGE
-  if (border == huge_page) madvise(memory, bytes / huge_page * huge_page, MADV_HUGEPAGE);
-#endif
+  prefer_huge_pages(memory, bytes);
   return memory;
 }
 
@@ -31,7 +26,7 @@ BlockRows::BlockRows(int blocks, std::size_t slots, int depth, float plateau)
     : blocks_(blocks),
       depth_(depth),
       plateau_(plateau),
-      values_(static_cast<Block*>(large_memory(slots * depth * blocks * sizeof(Block)))),
+      values_(static_cast<Block*>(aligned_memory(slots * depth * blocks * sizeof(Block)))),
       kinds_(slots * blocks, unset_block) {}
 
 void BlockRows::Free::operator()(Block* blocks) const { std::free(blocks); }

@@ -2,9 +2,12 @@
 #include "homolog/shape/inside.h"
 
 #include <algorithm>
+#include <utility>
 
+#include "homolog/base/large_memory.h"
 #include "homolog/base/widest_clone.h"
 #include "homolog/shape/axis_sums.h"
+#include "homolog/shape/exact_coverage.h"
 #include "homolog/shape/settle_by_winding.h"
 
 namespace homolog {
@@ -68,15 +71,21 @@ void write_votes(const RowSums& row, std::size_t length, float* coverage, std::u
 
 }  // namespace
 
-Inside inside_of_closed(const GridSurface& surface) {
-  Inside result{std::vector<float>(surface.voxels(), 0), 0};
+std::vector<float> coverage_by_rays(const GridSurface& surface) {
+  std::vector<float> coverage = large_zeros(surface.voxels());
   const std::size_t nx = surface.size[0], ny = surface.size[1];
-  visit_axis_sums(surface, [&](const RowSums& row) { write_mean(row, nx, result.coverage.data() + (row.z * ny + row.y) * nx); });
-  return result;
+  visit_axis_sums(surface, [&](const RowSums& row) { write_mean(row, nx, coverage.data() + (row.z * ny + row.y) * nx); });
+  return coverage;
+}
+
+Inside inside_of_closed(const GridSurface& surface) {
+  std::vector<float> coverage = exact_coverage(surface);
+  if (coverage.empty()) coverage = coverage_by_rays(surface);
+  return {std::move(coverage), 0};
 }
 
 Inside inside_of_open(const GridSurface& surface) {
-  Inside result{std::vector<float>(surface.voxels(), 0), 0};
+  Inside result{large_zeros(surface.voxels()), 0};
   std::vector<std::uint8_t> verdicts(surface.voxels(), by_three);
   const std::size_t nx = surface.size[0], ny = surface.size[1];
   visit_axis_sums(surface, [&](const RowSums& row) {

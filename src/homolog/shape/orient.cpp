@@ -72,23 +72,41 @@ struct Neighbour {
   bool disagrees = false;
 };
 
-/// Up to three neighbours of every triangle, over edges that exactly two triangles share.
-std::vector<std::array<Neighbour, 3>> find_neighbours(const std::vector<Side>& sides, std::size_t triangle_count) {
-  std::vector<std::array<Neighbour, 3>> neighbours(triangle_count);
+struct Neighbourhood {
+  std::vector<std::array<Neighbour, 3>> of;  // every triangle: up to three, over edges that exactly two triangles share
+  bool in_order = true;                      // every edge has two sides, which run opposite ways: closed, and nothing is to be turned
+};
+
+Neighbourhood find_neighbours(const std::vector<Side>& sides, std::size_t triangle_count) {
+  Neighbourhood neighbours{std::vector<std::array<Neighbour, 3>>(triangle_count)};
   std::vector<std::uint8_t> count(triangle_count, 0);
   for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    const Side &a = sides[first], &b = sides[last - 1];
+    const bool disagree = a.forward == b.forward;
+    if (last - first != 2 || disagree) neighbours.in_order = false;
     if (last - first != 2) return;
-    const Side &a = sides[first], &b = sides[first + 1];
-    neighbours[a.triangle][count[a.triangle]++] = {b.triangle, a.forward == b.forward};
-    neighbours[b.triangle][count[b.triangle]++] = {a.triangle, a.forward == b.forward};
+    neighbours.of[a.triangle][count[a.triangle]++] = {b.triangle, disagree};
+    neighbours.of[b.triangle][count[b.triangle]++] = {a.triangle, disagree};
   });
   return neighbours;
 }
 
 void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
-/// Floods every component from its first triangle, turning triangles to agree with it; then turns it back if that turned most of its area.
-std::vector<Component> flood(std::vector<Triangle>& triangles, const std::vector<std::array<Neighbour, 3>>& neighbours, const Mesh& mesh) {
+/// Turns the triangles that are marked; or the others, if these are most of the component's area.
+void turn_fewer(const Component& component, const std::vector<std::uint8_t>& turned, std::vector<Triangle>& triangles, const Mesh& mesh) {
+  double kept = 0;
+  for (const std::uint32_t t : component.triangles) {
+    const Vec3 &a = mesh.vertices[triangles[t][0]], &b = mesh.vertices[triangles[t][1]], &c = mesh.vertices[triangles[t][2]];
+    kept += (turned[t] ? -1 : 1) * (b - a).cross(c - a).norm();
+  }
+  for (const std::uint32_t t : component.triangles) {
+    if ((turned[t] != 0) == (kept >= 0)) turn(triangles[t]);
+  }
+}
+
+/// Floods every component from its first triangle, turning triangles to agree with each other.
+std::vector<Component> flood(std::vector<Triangle>& triangles, const Neighbourhood& neighbours, const Mesh& mesh) {
   std::vector<Component> components;
   std::vector<std::uint8_t> seen(triangles.size(), 0), turned(triangles.size(), 0);
   for (std::uint32_t seed = 0; seed < triangles.size(); ++seed) {
@@ -96,21 +114,16 @@ std::vector<Component> flood(std::vector<Triangle>& triangles, const std::vector
     Component component;
     component.triangles.push_back(seed);
     seen[seed] = 1;
-    double kept = 0;
     for (std::size_t next = 0; next < component.triangles.size(); ++next) {
       const std::uint32_t t = component.triangles[next];
-      const Vec3 &a = mesh.vertices[triangles[t][0]], &b = mesh.vertices[triangles[t][1]], &c = mesh.vertices[triangles[t][2]];
-      kept += (turned[t] ? -1 : 1) * (b - a).cross(c - a).norm();
-      for (const Neighbour& neighbour : neighbours[t]) {
+      for (const Neighbour& neighbour : neighbours.of[t]) {
         if (neighbour.triangle >= triangles.size() || seen[neighbour.triangle]) continue;
         seen[neighbour.triangle] = 1;
         turned[neighbour.triangle] = turned[t] != neighbour.disagrees;
         component.triangles.push_back(neighbour.triangle);
       }
     }
-    for (const std::uint32_t t : component.triangles) {
-      if ((turned[t] != 0) == (kept >= 0)) turn(triangles[t]);
-    }
+    if (!neighbours.in_order) turn_fewer(component, turned, triangles, mesh);
     components.push_back(std::move(component));
   }
   return components;
@@ -274,12 +287,12 @@ OrientedSurface orient(const Mesh& mesh) {
   }
   std::vector<Side> sides = sorted_sides(surface.triangles, vertex);
   if (leave_out_copies(sides, vertex, surface.triangles)) sides = sorted_sides(surface.triangles, vertex);
-  const auto neighbours = find_neighbours(sides, surface.triangles.size());
+  const Neighbourhood neighbours = find_neighbours(sides, surface.triangles.size());
   std::vector<Component> components = flood(surface.triangles, neighbours, mesh);
   for (Component& component : components) measure(component, surface.triangles, mesh);
   turn_components(components, surface.triangles, mesh);
   surface.components = components.size();
-  surface.open = open_share(sides, surface.triangles, vertex);
+  surface.open = neighbours.in_order ? 0 : open_share(sides, surface.triangles, vertex);
   return surface;
 }
 

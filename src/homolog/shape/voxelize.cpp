@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Sec. 4.2. Rays along the three axes find where the winding number is not 0; their mean is the coverage, which makes thin slanted
-// plates as smooth as thick ones. Where the surface has holes the three axes vote, and the share they could not agree on is told.
+// Sec. 4.2. Coverage is exact where the surface is closed and its shells do not overlap, which makes thin slanted plates as smooth as thick
+// ones. Else rays along the three axes find where the winding number is not 0. Where the surface has holes the three axes vote, and the
+// share they could not agree on is told.
 #include "homolog/shape/voxelize.h"
 
 #include <fmt/format.h>
