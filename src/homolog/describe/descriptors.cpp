@@ -8,6 +8,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/spherical_harmonics.h"
+#include "homolog/shape/many_samples.h"
 
 namespace homolog {
 namespace {
@@ -77,22 +78,31 @@ void append_invariants(const std::vector<std::complex<double>>& c, const Descrip
   }
 }
 
+// The sphere's directions about p, along the axes of the grid.
+VectorColumns directions_about(const Vec3& p, const SphereGrid& grid, const GridFrame& frame) {
+  const Mat3 turn = frame.axes.transpose() * frame_about(p);
+  std::vector<Vec3> directions;
+  directions.reserve(grid.directions().size());
+  for (const Vec3& direction : grid.directions()) directions.push_back(turn * direction);
+  return VectorColumns(directions);
+}
+
 Descriptor describe_point(const Interior& interior, const std::vector<Interior>& halved, const SalientPoint& point, const SphereGrid& grid,
                           const DescriptorParams& params) {
-  const Mat3 frame = frame_about(point.direction);
+  const VectorColumns directions = directions_about(point.direction, grid, interior.frame);
   const double angle = std::sqrt(4 * std::numbers::pi / static_cast<double>(grid.directions().size()));
   Descriptor mu;
+  std::vector<float> sums(directions.x.size());
   std::vector<double> values(grid.directions().size());
   for (int shell = 0; shell < params.shell_count; ++shell) {
-    std::fill(values.begin(), values.end(), 0);
+    std::fill(sums.begin(), sums.end(), 0.0f);
     for (int sample_index = 0; sample_index < radial_samples; ++sample_index) {
       const double share = (shell + (sample_index + 0.5) / radial_samples) / params.shell_count;
       const double radius = point.radius * shell_border(params, share);
       const Interior& level = level_for(interior, halved, angle * radius);
-      for (std::size_t d = 0; d < values.size(); ++d) {
-        values[d] += sample(level, point.position + radius * (frame * grid.directions()[d])) / radial_samples;
-      }
+      add_samples(level, level.frame.voxel_from_world(point.position), radius / level.frame.spacing, directions, sums.data());
     }
+    for (std::size_t d = 0; d < values.size(); ++d) values[d] = sums[d] / radial_samples;
     append_invariants(grid.project(values), params, mu);
   }
   return mu;
