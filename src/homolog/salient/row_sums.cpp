@@ -33,17 +33,23 @@ template <int width>
   sum += weight * values;
 }
 
-// `sums` of `registers` each from x on, kept in registers; a row is loaded once for all of them.
+// `sums` of `registers` each from x on, kept in registers; a row is loaded once for all of them. The first and the last rows belong to some
+// of the sums only: loops of a known length, which the compiler unrolls. There are at least sums - 1 weights.
 template <int width, int sums, int registers>
 [[gnu::always_inline]] inline void weigh_tile(const float* const* rows, const float* weights, int count, int x, float* const* out) {
   Register<width> sum[sums][registers];
   for (auto& row : sum) std::fill(row, row + registers, Register<width>{});
-  for (int t = 0; t < count + sums - 1; ++t) {
+  const auto add = [&](int t, int first, int end) __attribute__((always_inline)) {
     for (int i = 0; i < registers; ++i) {
       const Register<width>& values = at<width>(rows[t] + x + i * width);
-      for (int n = 0; n < sums; ++n) multiply_add<width>(weights[t - n], values, sum[n][i]);
+      for (int n = first; n < end; ++n) multiply_add<width>(weights[t - n], values, sum[n][i]);
     }
-  }
+  };
+#pragma GCC unroll 8
+  for (int t = 0; t < sums - 1; ++t) add(t, 0, t + 1);
+  for (int t = sums - 1; t < count; ++t) add(t, 0, sums);
+#pragma GCC unroll 8
+  for (int t = 0; t < sums - 1; ++t) add(count + t, t + 1, sums);
   for (int n = 0; n < sums; ++n) {
     for (int i = 0; i < registers; ++i) at<width>(out[n] + x + i * width) = sum[n][i];
   }

@@ -3,8 +3,8 @@
 // that all widths of the processor's registers give the same bytes; a processor without them takes many times longer.
 #pragma once
 
-#include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 namespace homolog {
@@ -48,7 +48,7 @@ void weigh_along(const float* row, const RowWeights& weights, float plateau, int
 inline BlockKind kind_of(const float* block, float plateau) {
   const float value = block[0];
   if (value != 0 && value != plateau) return mixed_block;  // as are most
-  if (!std::all_of(block, block + row_block, [=](float other) { return other == value; })) return mixed_block;
+  if (std::memcmp(block, block + 1, (row_block - 1) * sizeof(float)) != 0) return mixed_block;
   return value == 0 ? empty_block : full_block;
 }
 

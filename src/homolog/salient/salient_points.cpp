@@ -55,17 +55,22 @@ bool is_peak(const Octave& octave, int level, int i, int j, int k) {
          tops_other_level(octave, level + 1, i, j, k, upper, true);
 }
 
-// The peaks of one row of a level. Where it is constant there are none.
-void append_peaks_of_row(const Octave& octave, int level, int j, int k, float least, std::vector<Peak>& peaks) {
+// The peaks of one row of a level. Where it is constant there are none. `kinds` is memory for those of its blocks.
+void append_peaks_of_row(const Octave& octave, int level, int j, int k, float least, std::vector<std::uint8_t>& kinds,
+                         std::vector<Peak>& peaks) {
   const RollingVolume &finer = octave.blurred[level], &coarser = octave.blurred[level + 1];
-  std::vector<std::uint8_t> kinds(finer.kinds(j, k), finer.kinds(j, k) + finer.blocks());
-  for (int b = 0; b < finer.blocks(); ++b) kinds[b] |= coarser.kinds(j, k)[b];
+  const float *fine = finer.row(j, k), *coarse = coarser.row(j, k);
+  const auto at = [&](int i) { return octave.factor * (fine[i] - coarse[i]); };  // octave.at() looks for the rows each time
+  kinds.assign(finer.kinds(j, k), finer.kinds(j, k) + finer.blocks());
+  join_kinds(coarser.kinds(j, k), finer.blocks(), kinds.data());
   for_mixed_runs(kinds.data(), finer.blocks(), [&](int begin, int end) {
     for (int x = begin; x < end; x += kScanned) {
       const int stop = std::min(end, x + kScanned);
-      if (largest_difference(finer.row(j, k), coarser.row(j, k), octave.factor, x, stop) < least) continue;
+      if (largest_difference(fine, coarse, octave.factor, x, stop) < least) continue;
       for (int i = std::max(1, x); i < std::min(stop, octave.frame().size[0] - 1); ++i) {
-        if (octave.at(level, i, j, k) >= least && is_peak(octave, level, i, j, k)) peaks.push_back({level, {i, j, k}});
+        const float value = at(i);
+        if (value < least || at(i - 1) >= value || at(i + 1) > value) continue;  // as most
+        if (is_peak(octave, level, i, j, k)) peaks.push_back({level, {i, j, k}});
       }
     }
   });
@@ -78,8 +83,9 @@ std::vector<Peak> find_peaks(const Octave& octave, double threshold) {
   std::vector<std::vector<Peak>> found(static_cast<std::size_t>(std::max(0, end - first)) * levels);
   parallel_for(found.size(), [&](std::size_t n) {
     const int level = static_cast<int>(n) % levels + 1, k = first + static_cast<int>(n) / levels;
+    std::vector<std::uint8_t> kinds;
     for (int j = 1; j + 1 < octave.frame().size[1]; ++j) {
-      append_peaks_of_row(octave, level, j, k, static_cast<float>(threshold) * kVoxelShare, found[n]);
+      append_peaks_of_row(octave, level, j, k, static_cast<float>(threshold) * kVoxelShare, kinds, found[n]);
     }
   });
   std::vector<Peak> peaks;
