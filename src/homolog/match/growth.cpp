@@ -46,7 +46,7 @@ Prediction predict_from(const CorrespondenceSet& pairs, Chirality chirality) {
 
 // Where a free model point should be found again.
 struct Expectation {
-  Vec3 place = Vec3::Zero(), direction = Vec3::Zero();
+  Vec3 place = Vec3::Zero();
   double variance = 1;  // of one coordinate, data units squared
 };
 
@@ -65,18 +65,21 @@ struct Grower {
   Expectation expect(const Prediction& prediction, const SalientPoint& point) const {
     const double s = prediction.spline.similarity.scale;
     const Vec3 place = prediction.spline(point.position);
-    const double variance = s * s * bending_length * (prediction.system.variance(point.position) + place_nugget * point.radius);
-    return {place, (prediction.spline(tip(point)) - place).normalized(), variance};
+    return {place, s * s * bending_length * (prediction.system.variance(point.position) + place_nugget * point.radius)};
   }
 
-  // Negative log likelihood of c, up to a constant, in units where each part is about 1 when c is right.
-  double cost(const Correspondence& c, const Expectation& expected, double scale) const {
+  // Negative log likelihood of c, up to a constant, in units where each part is about 1 when c is right. What is not below `limit` may be
+  // told too low: most are far beyond it by their place.
+  double cost(const Correspondence& c, const Expectation& expected, const Prediction& prediction, double limit) const {
     const double place = (c.data_point.position - expected.place).squaredNorm() / (3 * expected.variance);
-    const double log_radius = std::log(c.data_point.radius / (scale * c.model_point.radius)) / radius_spread;
-    const double descriptor = c.descriptor_distance / descriptor_spread;
-    double direction = 0;
-    if (has_directions(c)) direction = std::acos(std::clamp(expected.direction.dot(c.data_point.direction), -1.0, 1.0)) / angle_spread;
-    return place + log_radius * log_radius + 0.5 * descriptor * descriptor + 0.5 * direction * direction;
+    const double descriptor = c.descriptor_distance / descriptor_spread, unlike = 0.5 * descriptor * descriptor;
+    if (place + unlike >= limit) return limit;
+    const double log_radius = std::log(c.data_point.radius / (prediction.spline.similarity.scale * c.model_point.radius)) / radius_spread;
+    const double sum = place + log_radius * log_radius + unlike;
+    if (sum >= limit || !has_directions(c)) return sum;
+    const Vec3 direction = (prediction.spline(tip(c.model_point)) - expected.place).normalized();
+    const double angle = std::acos(std::clamp(direction.dot(c.data_point.direction), -1.0, 1.0)) / angle_spread;
+    return sum + 0.5 * angle * angle;
   }
 
   // The likeliest free candidate, or nullptr when all cost too much.
@@ -89,7 +92,7 @@ struct Grower {
       if (model_used[c.model] || data_used[c.data]) continue;
       if (c.model != last_model) expected = expect(prediction, c.model_point);
       last_model = c.model;
-      const double now = cost(c, expected, prediction.spline.similarity.scale);
+      const double now = cost(c, expected, prediction, cost_of_it);
       if (now < cost_of_it) {
         cost_of_it = now;
         best = &c;
