@@ -4,51 +4,36 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
-#include <cstring>
 #include <limits>
+
+#include "homolog/shape/number_type.h"
 
 namespace homolog {
 namespace {
 
 using nlohmann::json;
 
-static_assert(std::endian::native == std::endian::little, "glTF is little-endian");
-
 /// A kind of number as it lies in the file.
 struct Component {
-  std::size_t size = 0;
-  double (*read)(const char*) = nullptr;
-  double most = 1;  ///< by which normalised whole numbers are divided
+  NumberType type = NumberType::none;
+  double most = 1;  ///< by which normalised ones are divided
 };
-
-template <class T>
-double read_number(const char* bytes) {
-  T value;
-  std::memcpy(&value, bytes, sizeof value);
-  return static_cast<double>(value);
-}
-
-template <class T>
-Component component() {
-  return {sizeof(T), read_number<T>, std::is_integral_v<T> ? static_cast<double>(std::numeric_limits<T>::max()) : 1};
-}
 
 Component component_of(const GltfFile& file, const json& object, const char* what) {
   switch (number_at(file, object, "componentType").value_or(0)) {
     case 5120:
-      return component<std::int8_t>();
+      return {NumberType::int8, 127};
     case 5121:
-      return component<std::uint8_t>();
+      return {NumberType::uint8, 255};
     case 5122:
-      return component<std::int16_t>();
+      return {NumberType::int16, 32767};
     case 5123:
-      return component<std::uint16_t>();
+      return {NumberType::uint16, 65535};
     case 5125:
-      return component<std::uint32_t>();
+      return {NumberType::uint32, 4294967295};
     case 5126:
-      return component<float>();
+      return {NumberType::float32};
   }
   fail(file, fmt::format("its {} has a component type that glTF does not know", what));
 }
@@ -70,7 +55,8 @@ struct Rows {
   double divisor;
 
   double at(std::size_t row, std::size_t column) const {
-    const double value = component.read(bytes.data() + row * stride + column * component.size) / divisor;
+    const double value =
+        stored_number(bytes.data() + row * stride + column * bytes_of(component.type), component.type, std::endian::little) / divisor;
     return divisor == 1 ? value : std::max(value, -1.0);
   }
 };
@@ -80,7 +66,7 @@ Rows rows_in(const GltfFile& file, const json& holder, const Component& componen
              const char* what) {
   const std::size_t number = number_at(file, holder, "bufferView").value_or(std::numeric_limits<std::size_t>::max());
   const std::string_view view = buffer_view(file, number);
-  const std::size_t offset = number_at(file, holder, "byteOffset").value_or(0), size = columns * component.size;
+  const std::size_t offset = number_at(file, holder, "byteOffset").value_or(0), size = columns * bytes_of(component.type);
   const std::size_t stride = number_at(file, entry(file, "bufferViews", number), "byteStride").value_or(size);
   const bool fits = offset <= view.size() &&
                     (rows == 0 || (stride >= size && size <= view.size() - offset && rows - 1 <= (view.size() - offset - size) / stride));

@@ -9,12 +9,12 @@
 namespace homolog {
 namespace {
 
-PlyType read_type(Text& text, std::string_view word) {
-  static constexpr std::pair<std::string_view, PlyType> types[] = {
-      {"char", PlyType::int8},   {"uchar", PlyType::uint8},   {"short", PlyType::int16},     {"ushort", PlyType::uint16},
-      {"int", PlyType::int32},   {"uint", PlyType::uint32},   {"float", PlyType::float32},   {"double", PlyType::float64},
-      {"int8", PlyType::int8},   {"uint8", PlyType::uint8},   {"int16", PlyType::int16},     {"uint16", PlyType::uint16},
-      {"int32", PlyType::int32}, {"uint32", PlyType::uint32}, {"float32", PlyType::float32}, {"float64", PlyType::float64},
+NumberType read_type(Text& text, std::string_view word) {
+  static constexpr std::pair<std::string_view, NumberType> types[] = {
+      {"char", NumberType::int8},   {"uchar", NumberType::uint8},   {"short", NumberType::int16},     {"ushort", NumberType::uint16},
+      {"int", NumberType::int32},   {"uint", NumberType::uint32},   {"float", NumberType::float32},   {"double", NumberType::float64},
+      {"int8", NumberType::int8},   {"uint8", NumberType::uint8},   {"int16", NumberType::int16},     {"uint16", NumberType::uint16},
+      {"int32", NumberType::int32}, {"uint32", NumberType::uint32}, {"float32", NumberType::float32}, {"float64", NumberType::float64},
   };
   for (const auto& [name, type] : types) {
     if (name == word) return type;
@@ -31,11 +31,11 @@ PlyEncoding read_encoding(Text& text, std::string_view line) {
 }
 
 PlyProperty read_property(Text& text, std::string_view line) {
-  PlyProperty property{"", PlyType::none, PlyType::none};
+  PlyProperty property{"", NumberType::none, NumberType::none};
   std::string_view word = take_word(line);
   if (word == "list") {
     property.count_type = read_type(text, take_word(line));
-    if (property.count_type >= PlyType::float32) fail(text, "the length of a list must have a whole-number type");
+    if (property.count_type >= NumberType::float32) fail(text, "the length of a list must have a whole-number type");
     word = take_word(line);
   }
   property.type = read_type(text, word);
@@ -49,7 +49,7 @@ void check_counts(const Text& text, const PlyHeader& header) {
   for (const PlyElement& element : header.elements) {
     std::size_t least = 0;
     for (const PlyProperty& property : element.properties) {
-      const PlyType first = property.count_type == PlyType::none ? property.type : property.count_type;
+      const NumberType first = property.count_type == NumberType::none ? property.type : property.count_type;
       least += header.encoding == PlyEncoding::ascii ? 2 : bytes_of(first);
     }
     if (least == 0 && element.count > 0) fail(text, fmt::format("element {} has no properties", shown(element.name)));
@@ -62,11 +62,6 @@ void check_counts(const Text& text, const PlyHeader& header) {
 }
 
 }  // namespace
-
-std::size_t bytes_of(PlyType type) {
-  static constexpr std::array<std::size_t, 9> bytes{0, 1, 1, 2, 2, 4, 4, 4, 8};
-  return bytes[static_cast<std::size_t>(type)];
-}
 
 PlyHeader read_ply_header(Text& text) {
   std::string_view line;

@@ -9,33 +9,8 @@
 #include <limits>
 
 #include "homolog/base/errors.h"
-#include "homolog/shape/number_in.h"
 
 namespace homolog {
-namespace {
-
-double decode(PlyType type, const char* bytes, std::endian order) {
-  switch (type) {
-    case PlyType::int8:
-      return number_in<std::int8_t>(bytes, order);
-    case PlyType::uint8:
-      return number_in<std::uint8_t>(bytes, order);
-    case PlyType::int16:
-      return number_in<std::int16_t>(bytes, order);
-    case PlyType::uint16:
-      return number_in<std::uint16_t>(bytes, order);
-    case PlyType::int32:
-      return number_in<std::int32_t>(bytes, order);
-    case PlyType::uint32:
-      return number_in<std::uint32_t>(bytes, order);
-    case PlyType::float32:
-      return number_in<float>(bytes, order);
-    default:
-      return number_in<double>(bytes, order);
-  }
-}
-
-}  // namespace
 
 PlySource open_ply(std::string_view content, const std::string& file) {
   PlySource source{{file, content}, {}, {}, {}};
@@ -48,17 +23,17 @@ void fail_at(const PlySource& source, const std::string& what) {
   throw FileError(fmt::format("{}, {}: {}", source.text.file, source.place, what));
 }
 
-double read_ply_value(PlySource& source, PlyType type) {
+double read_ply_value(PlySource& source, NumberType type) {
   if (source.header.encoding == PlyEncoding::ascii) return take_number(source.text, source.line, "a property");
   const std::size_t size = bytes_of(type);
   if (source.text.rest.size() < size) fail_at(source, "the file ends here; it is truncated");
-  const double value =
-      decode(type, source.text.rest.data(), source.header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big);
+  const double value = stored_number(source.text.rest.data(), type,
+                                     source.header.encoding == PlyEncoding::little_endian ? std::endian::little : std::endian::big);
   source.text.rest.remove_prefix(size);
   return value;
 }
 
-double read_loose_value(PlySource& source, PlyType type) {
+double read_loose_value(PlySource& source, NumberType type) {
   if (source.header.encoding != PlyEncoding::ascii) return read_ply_value(source, type);
   const std::string_view word = take_word(source.line);
   if (word.empty()) fail(source.text, "a property is missing; the file is truncated or damaged");
@@ -89,7 +64,7 @@ void begin_element(PlySource& source, const PlyElement& element, std::size_t num
 }
 
 void skip_property(PlySource& source, const PlyProperty& property) {
-  const std::size_t length = property.count_type == PlyType::none ? 1 : read_length(source, property);
+  const std::size_t length = property.count_type == NumberType::none ? 1 : read_length(source, property);
   for (std::size_t i = 0; i < length; ++i) {
     if (source.header.encoding != PlyEncoding::ascii) {
       read_ply_value(source, property.type);

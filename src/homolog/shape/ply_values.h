@@ -27,10 +27,10 @@ PlySource open_ply(std::string_view content, const std::string& file);
 void begin_element(PlySource& source, const PlyElement& element, std::size_t number);
 
 /// The next value; a double holds every type exactly. Throws FileError, in ascii also for what is not finite.
-double read_ply_value(PlySource& source, PlyType type);
+double read_ply_value(PlySource& source, NumberType type);
 
 /// The same, but NaN in ascii for what is no finite number: not every property need be one.
-double read_loose_value(PlySource& source, PlyType type);
+double read_loose_value(PlySource& source, NumberType type);
 
 /// The length of a list, which fits into the rest of the file. Throws FileError.
 std::size_t read_length(PlySource& source, const PlyProperty& property);

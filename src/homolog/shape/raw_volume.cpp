@@ -9,46 +9,17 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/inflate.h"
-#include "homolog/shape/number_in.h"
 
 namespace homolog {
 namespace {
 
 constexpr double farthest = 1e90;  // of coordinates, so that volumes stay numbers
 
-double decode(VoxelType type, const char* bytes, std::endian order) {
-  switch (type) {
-    case VoxelType::int8:
-      return number_in<std::int8_t>(bytes, order);
-    case VoxelType::uint8:
-      return number_in<std::uint8_t>(bytes, order);
-    case VoxelType::int16:
-      return number_in<std::int16_t>(bytes, order);
-    case VoxelType::uint16:
-      return number_in<std::uint16_t>(bytes, order);
-    case VoxelType::int32:
-      return number_in<std::int32_t>(bytes, order);
-    case VoxelType::uint32:
-      return number_in<std::uint32_t>(bytes, order);
-    case VoxelType::int64:
-      return number_in<std::int64_t>(bytes, order);
-    case VoxelType::uint64:
-      return number_in<std::uint64_t>(bytes, order);
-    case VoxelType::float32:
-      return number_in<float>(bytes, order);
-    default:
-      return number_in<double>(bytes, order);
-  }
-}
-
 }  // namespace
 
-std::size_t bytes_of(VoxelType type) {
-  static constexpr std::array<std::size_t, 10> bytes{1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
-  return bytes[static_cast<std::size_t>(type)];
+double RawVolume::value(std::size_t voxel) const {
+  return slope * stored_number(bytes.data() + voxel * bytes_of(type), type, order) + intercept;
 }
-
-double RawVolume::value(std::size_t voxel) const { return slope * decode(type, bytes.data() + voxel * bytes_of(type), order) + intercept; }
 
 void check_header(const RawVolume& volume, const std::string& file, std::uint64_t most_voxels) {
   std::uint64_t voxels = 1;

@@ -11,17 +11,14 @@
 #include <string_view>
 
 #include "homolog/base/vec.h"
+#include "homolog/shape/number_type.h"
 
 namespace homolog {
-
-enum class VoxelType { int8, uint8, int16, uint16, int32, uint32, int64, uint64, float32, float64 };
-
-std::size_t bytes_of(VoxelType type);
 
 struct RawVolume {
   std::array<std::int64_t, 3> size{0, 0, 0};
   Mat4 world_from_voxel = Mat4::Identity();  ///< of voxel numbers from 0 (whole numbers: middles of voxels), to the left, behind, up (LPS)
-  VoxelType type = VoxelType::uint8;
+  NumberType type = NumberType::uint8;
   std::endian order = std::endian::little;
   double slope = 1, intercept = 0;  ///< value = slope * number + intercept
   std::string bytes;                ///< of all voxels, x fastest

@@ -32,12 +32,12 @@ long long whole(const Text& text, const HeaderFields& fields, std::string_view n
   return field ? FieldNumbers(text, *field).whole() : otherwise;
 }
 
-VoxelType type_of(const Text& text, std::string_view name) {
-  static constexpr std::pair<std::string_view, VoxelType> types[] = {
-      {"MET_CHAR", VoxelType::int8},         {"MET_UCHAR", VoxelType::uint8},   {"MET_SHORT", VoxelType::int16},
-      {"MET_USHORT", VoxelType::uint16},     {"MET_INT", VoxelType::int32},     {"MET_UINT", VoxelType::uint32},
-      {"MET_LONG", VoxelType::int32},        {"MET_ULONG", VoxelType::uint32},  {"MET_LONG_LONG", VoxelType::int64},
-      {"MET_ULONG_LONG", VoxelType::uint64}, {"MET_FLOAT", VoxelType::float32}, {"MET_DOUBLE", VoxelType::float64}};
+NumberType type_of(const Text& text, std::string_view name) {
+  static constexpr std::pair<std::string_view, NumberType> types[] = {
+      {"MET_CHAR", NumberType::int8},         {"MET_UCHAR", NumberType::uint8},   {"MET_SHORT", NumberType::int16},
+      {"MET_USHORT", NumberType::uint16},     {"MET_INT", NumberType::int32},     {"MET_UINT", NumberType::uint32},
+      {"MET_LONG", NumberType::int32},        {"MET_ULONG", NumberType::uint32},  {"MET_LONG_LONG", NumberType::int64},
+      {"MET_ULONG_LONG", NumberType::uint64}, {"MET_FLOAT", NumberType::float32}, {"MET_DOUBLE", NumberType::float64}};
   for (const auto& [own, type] : types) {
     if (own == name) return type;
   }

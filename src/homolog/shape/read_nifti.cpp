@@ -58,10 +58,10 @@ Header find_layout(std::string_view bytes) {
   return {};
 }
 
-VoxelType type_of(int code, const std::string& file) {
-  static constexpr std::pair<int, VoxelType> types[] = {
-      {2, VoxelType::uint8},  {4, VoxelType::int16},    {8, VoxelType::int32},    {16, VoxelType::float32}, {64, VoxelType::float64},
-      {256, VoxelType::int8}, {512, VoxelType::uint16}, {768, VoxelType::uint32}, {1024, VoxelType::int64}, {1280, VoxelType::uint64}};
+NumberType type_of(int code, const std::string& file) {
+  static constexpr std::pair<int, NumberType> types[] = {
+      {2, NumberType::uint8},  {4, NumberType::int16},    {8, NumberType::int32},    {16, NumberType::float32}, {64, NumberType::float64},
+      {256, NumberType::int8}, {512, NumberType::uint16}, {768, NumberType::uint32}, {1024, NumberType::int64}, {1280, NumberType::uint64}};
   for (const auto& [number, type] : types) {
     if (number == code) return type;
   }

@@ -29,18 +29,18 @@ HeaderFields read_fields(Text& text) {
   return fields;
 }
 
-VoxelType type_of(const Text& text, const HeaderField& field) {
-  static constexpr std::pair<std::string_view, VoxelType> types[] = {
-      {"signed char", VoxelType::int8},    {"int8", VoxelType::int8},           {"int8_t", VoxelType::int8},
-      {"uchar", VoxelType::uint8},         {"unsigned char", VoxelType::uint8}, {"uint8", VoxelType::uint8},
-      {"uint8_t", VoxelType::uint8},       {"short", VoxelType::int16},         {"int16", VoxelType::int16},
-      {"int16_t", VoxelType::int16},       {"ushort", VoxelType::uint16},       {"unsigned short", VoxelType::uint16},
-      {"uint16", VoxelType::uint16},       {"uint16_t", VoxelType::uint16},     {"int", VoxelType::int32},
-      {"int32", VoxelType::int32},         {"int32_t", VoxelType::int32},       {"uint", VoxelType::uint32},
-      {"unsigned int", VoxelType::uint32}, {"uint32", VoxelType::uint32},       {"uint32_t", VoxelType::uint32},
-      {"longlong", VoxelType::int64},      {"int64", VoxelType::int64},         {"int64_t", VoxelType::int64},
-      {"ulonglong", VoxelType::uint64},    {"uint64", VoxelType::uint64},       {"uint64_t", VoxelType::uint64},
-      {"float", VoxelType::float32},       {"double", VoxelType::float64}};
+NumberType type_of(const Text& text, const HeaderField& field) {
+  static constexpr std::pair<std::string_view, NumberType> types[] = {
+      {"signed char", NumberType::int8},    {"int8", NumberType::int8},           {"int8_t", NumberType::int8},
+      {"uchar", NumberType::uint8},         {"unsigned char", NumberType::uint8}, {"uint8", NumberType::uint8},
+      {"uint8_t", NumberType::uint8},       {"short", NumberType::int16},         {"int16", NumberType::int16},
+      {"int16_t", NumberType::int16},       {"ushort", NumberType::uint16},       {"unsigned short", NumberType::uint16},
+      {"uint16", NumberType::uint16},       {"uint16_t", NumberType::uint16},     {"int", NumberType::int32},
+      {"int32", NumberType::int32},         {"int32_t", NumberType::int32},       {"uint", NumberType::uint32},
+      {"unsigned int", NumberType::uint32}, {"uint32", NumberType::uint32},       {"uint32_t", NumberType::uint32},
+      {"longlong", NumberType::int64},      {"int64", NumberType::int64},         {"int64_t", NumberType::int64},
+      {"ulonglong", NumberType::uint64},    {"uint64", NumberType::uint64},       {"uint64_t", NumberType::uint64},
+      {"float", NumberType::float32},       {"double", NumberType::float64}};
   const std::string name = rest_of(field.text);
   for (const auto& [word, type] : types) {
     if (word == name) return type;

@@ -16,7 +16,7 @@ void read_vertices(PlySource& source, const PlyElement& element, Mesh& mesh) {
   std::vector<int> axes;
   for (const PlyProperty& property : element.properties) {
     const bool axis =
-        property.count_type == PlyType::none && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
+        property.count_type == NumberType::none && property.name.size() == 1 && property.name[0] >= 'x' && property.name[0] <= 'z';
     axes.push_back(axis ? property.name[0] - 'x' : -1);
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -42,7 +42,7 @@ void read_faces(PlySource& source, const PlyElement& element, Mesh& mesh) {
   for (std::size_t i = 0; i < element.count; ++i) {
     begin_element(source, element, i);
     for (const PlyProperty& property : element.properties) {
-      if (property.count_type == PlyType::none || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+      if (property.count_type == NumberType::none || (property.name != "vertex_indices" && property.name != "vertex_index")) {
         skip_property(source, property);
         continue;
       }

@@ -14,7 +14,7 @@ namespace {
 /// A single property of all vertices.
 struct Column {
   std::string name;
-  PlyType type;
+  NumberType type;
   std::vector<double> values;
 };
 
@@ -26,7 +26,7 @@ std::vector<Column> read_columns(PlySource& source, const PlyElement& element) {
   for (std::size_t i = 0; i < element.count; ++i) {
     begin_element(source, element, i);
     for (std::size_t k = 0; k < columns.size(); ++k) {
-      if (element.properties[k].count_type != PlyType::none) {
+      if (element.properties[k].count_type != NumberType::none) {
         skip_property(source, element.properties[k]);
       } else {
         const double value = read_loose_value(source, columns[k].type);
@@ -38,21 +38,21 @@ std::vector<Column> read_columns(PlySource& source, const PlyElement& element) {
   return columns;
 }
 
-bool is_whole(PlyType type) { return type < PlyType::float32; }
+bool is_whole(NumberType type) { return type < NumberType::float32; }
 
-double largest(PlyType type) {
+double largest(NumberType type) {
   switch (type) {
-    case PlyType::uint8:
+    case NumberType::uint8:
       return 255;
-    case PlyType::uint16:
+    case NumberType::uint16:
       return 65535;
-    case PlyType::int8:
+    case NumberType::int8:
       return 127;
-    case PlyType::int16:
+    case NumberType::int16:
       return 32767;
-    case PlyType::int32:
+    case NumberType::int32:
       return 2147483647;
-    case PlyType::uint32:
+    case NumberType::uint32:
       return 4294967295;
     default:
       return 1;

@@ -20,7 +20,7 @@ std::vector<int> columns_of(const PlySource& source, const PlyElement& element) 
   std::vector<int> columns;
   for (const PlyProperty& property : element.properties) {
     const auto name = std::find(names.begin(), names.end(), property.name);
-    const bool wanted = property.count_type == PlyType::none && name != names.end();
+    const bool wanted = property.count_type == NumberType::none && name != names.end();
     columns.push_back(wanted ? static_cast<int>(name - names.begin()) : other);
   }
   for (int column = 0; column < 6; ++column) {
