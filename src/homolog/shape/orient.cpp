@@ -7,6 +7,7 @@
 #include <limits>
 #include <tuple>
 
+#include "homolog/shape/nested_boxes.h"
 #include "homolog/shape/ray_crossing.h"
 #include "homolog/shape/weld.h"
 
@@ -196,14 +197,23 @@ void turn_components(std::vector<Component>& components, std::vector<Triangle>& 
     if (component.solid) order.push_back(&component);
   }
   std::stable_sort(order.begin(), order.end(), [](auto* a, auto* b) { return std::abs(a->volume) > std::abs(b->volume); });
-  for (std::size_t i = 0; i < order.size(); ++i) {
+  if (std::none_of(order.begin(), order.end(), [](auto* solid) { return solid->volume < 0; })) return;
+  std::vector<Box> boxes;
+  for (const Component* solid : order) boxes.push_back(solid->box);
+  const NestedBoxes nested(boxes);
+  bool any_turned = false;
+  for (std::uint32_t i = 0; i < order.size(); ++i) {
     Component& inner = *order[i];
     const Component* around = nullptr;
-    for (std::size_t k = 0; k < i && !around; ++k) {
-      const bool matters = inner.volume < 0 || order[k]->turned;  // two solids the right way round need no look
-      if (matters && lies_in(inner, *order[k], triangles, mesh)) around = order[k];
+    if (inner.volume < 0 || any_turned) {
+      for (const std::uint32_t k : nested.around(inner.box.min)) {
+        if (k >= i || around) break;
+        const bool matters = inner.volume < 0 || order[k]->turned;  // two solids the right way round need no look
+        if (matters && lies_in(inner, *order[k], triangles, mesh)) around = order[k];
+      }
     }
     inner.turned = around ? around->turned : inner.volume < 0;
+    any_turned |= inner.turned;
   }
   for (const Component& component : components) {
     if (!component.turned) continue;
