@@ -28,5 +28,5 @@ another one, whatever its pose, size and tessellation.
 This package holds the static library, its headers, and what
 find_package(homolog) of CMake looks for.")
 # What find_package(homolog) looks for again.
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libtbb-dev, libassimp-dev, libfmt-dev, zlib1g-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "libeigen3-dev, libtbb-dev, libassimp-dev, libfmt-dev, zlib1g-dev, libminizip-dev, libexpat1-dev")
 include(CPack)

@@ -30,7 +30,7 @@ if ! have dpkg-query || ! have apt-get; then fail "this script knows only apt; e
 # A tool may come from anywhere (command:package); a library must be apt's.
 tools=(g++:g++ cmake:cmake ninja:ninja-build pkg-config:pkg-config)
 # assimp's CMake target names zlib, but its package does not bring it.
-libraries=(libeigen3-dev libtbb-dev libassimp-dev zlib1g-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
+libraries=(libeigen3-dev libtbb-dev libassimp-dev zlib1g-dev libminizip-dev libexpat1-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 if [[ $tests == yes ]]; then
   tools+=(ccache:ccache python3:python3 clang-format-14:clang-format-14  # 14 is in all three systems, so all agree on the format
     groff:groff mandoc:mandoc zsh:zsh fish:fish dpkg-shlibdeps:dpkg-dev file:file)

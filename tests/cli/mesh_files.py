@@ -5,6 +5,7 @@ import io
 import json
 import struct
 import zipfile
+import zlib
 
 import bear
 import cloud_files
@@ -165,7 +166,7 @@ def model_of_3mf(v, f):
     )
 
 
-def threemf(model):
+def threemf(model, more=None):
     relations = (
         '<?xml version="1.0"?><Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship '
         'Target="/3D/3dmodel.model" Id="rel0" Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>'
@@ -174,7 +175,71 @@ def threemf(model):
         '<?xml version="1.0"?><Types xmlns="http://schemas.openxmlformats.org/package/2006/content-types"><Default Extension="model" '
         'ContentType="application/vnd.ms-package.3dmanufacturing-3dmodel+xml"/></Types>'
     )
-    return zipped({"[Content_Types].xml": types, "_rels/.rels": relations, "3D/3dmodel.model": model})
+    return zipped({"[Content_Types].xml": types, "_rels/.rels": relations, "3D/3dmodel.model": model, **(more or {})})
+
+
+def parts_beside_3mf(v, f):
+    """As slicers write it: the mesh stands in another part of the archive, beside an object that is not printed."""
+    production = 'xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p"'
+    mesh, far = model_of_3mf(v, f), '<vertex x="9" y="9" z="9"/>'
+    core = 'xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"'
+    root = (
+        f'<?xml version="1.0"?><model unit="millimeter" {core} {production}><resources><object id="2" type="model"><components>'
+        '<component p:path="/3D/Objects/a_1.model" objectid="1" transform="1 0 0 0 1 0 0 0 1 1 2 3"/></components></object>'
+        f'<object id="3" type="other"><mesh><vertices>{3 * far}</vertices><triangles><triangle v1="0" v2="1" v3="2"/>'
+        '</triangles></mesh></object></resources><build><item objectid="2" transform="1 0 0 0 1 0 0 0 1 -1 -2 -3"/><item objectid="3"/></build></model>'
+    )
+    return threemf(root, {"3D/Objects/a_1.model": mesh[: mesh.index("<build>")] + "<build/></model>"})
+
+
+def vtk(v, f, binary):
+    """Legacy VTK."""
+    head = f"# vtk DataFile Version 3.0\nit\n{'BINARY' if binary else 'ASCII'}\nDATASET POLYDATA\nPOINTS {len(v)} double\n".encode()
+    cells = f"\nPOLYGONS {len(f)} {4 * len(f)}\n".encode()
+    if not binary:
+        return head + lines(*("%r %r %r" % x for x in v)) + cells + lines(*("3 %d %d %d" % t for t in f))
+    return head + b"".join(struct.pack(">3d", *x) for x in v) + cells + b"".join(struct.pack(">4i", 3, *t) for t in f) + b"\n"
+
+
+def vtp(v, f, form):
+    """VTK's XML: form is ascii, binary (base64) or appended (raw, compressed)."""
+    data = [("Points", "Float64", struct.pack(f"<{3 * len(v)}d", *(c for x in v for c in x))),
+            ("connectivity", "Int64", struct.pack(f"<{3 * len(f)}q", *(i for t in f for i in t))),
+            ("offsets", "Int64", struct.pack(f"<{len(f)}q", *range(3, 3 * len(f) + 1, 3)))]  # fmt: skip
+    arrays, appended = [], b""
+    for name, kind, content in data:
+        tag = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if name == "Points" else 1}" format="{form}"'
+        if form == "ascii":
+            numbers = struct.unpack(f"<{len(content) // 8}{'d' if kind == 'Float64' else 'q'}", content)
+            arrays.append(f"{tag}>{' '.join(map(repr, numbers))}</DataArray>")
+        elif form == "binary":
+            arrays.append(f"{tag}>{base64.b64encode(struct.pack('<I', len(content)) + content).decode()}</DataArray>")
+        else:
+            arrays.append(f'{tag} offset="{len(appended)}"/>')
+            packed = zlib.compress(content)
+            appended += struct.pack("<4I", 1, len(content), 0, len(packed)) + packed
+    compressor = ' compressor="vtkZLibDataCompressor"' if form == "appended" else ""
+    text = (
+        f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32"{compressor}>\n<PolyData>'
+        f'<Piece NumberOfPoints="{len(v)}" NumberOfPolys="{len(f)}">\n<Points>{arrays[0]}</Points>\n<Polys>{arrays[1]}{arrays[2]}</Polys></Piece></PolyData>'
+    ).encode()
+    return text + (b'<AppendedData encoding="raw">_' + appended + b"</AppendedData>" if appended else b"") + b"</VTKFile>\n"
+
+
+def quantised_glb(v, f):
+    """KHR_mesh_quantization: positions are whole numbers of 16 bits, the node scales them back."""
+    scene, data = gltf_parts(v, f)
+    low, step = [min(x[a] for x in v) for a in range(3)], max(max(x[a] for x in v) - min(x[a] for x in v) for a in range(3)) / 65535
+    positions = b"".join(struct.pack("<4H", *(round((x[a] - low[a]) / step) for a in range(3)), 0) for x in v)
+    corners = data[12 * len(v) :]
+    scene["accessors"][0].update(componentType=5123)
+    del scene["accessors"][0]["min"], scene["accessors"][0]["max"]
+    scene["bufferViews"] = [{"buffer": 0, "byteOffset": 0, "byteLength": len(positions), "byteStride": 8},
+                            {"buffer": 0, "byteOffset": len(positions), "byteLength": len(corners)}]  # fmt: skip
+    scene["buffers"][0]["byteLength"] = len(positions) + len(corners)
+    scene["nodes"] = [{"mesh": 0, "scale": [step] * 3, "translation": low}]
+    scene.update(extensionsUsed=["KHR_mesh_quantization"], extensionsRequired=["KHR_mesh_quantization"])
+    return glb_of(scene, positions + corners)
 
 
 def ac3d(v, f):
@@ -278,7 +343,14 @@ def all_files():
         "big.ply": ply(v, f, "binary_big_endian"),
         "solid.gltf": gltf(v, f),
         "solid.glb": glb(v, f),
+        "quantised.glb": quantised_glb(v, f),
         "solid.3mf": threemf(model_of_3mf(v, f)),
+        "parts.3mf": parts_beside_3mf(v, f),
+        "text.vtk": vtk(v, f, False),
+        "binary.vtk": vtk(v, f, True),
+        "text.vtp": vtp(v, f, "ascii"),
+        "base64.vtp": vtp(v, f, "binary"),
+        "compressed.vtp": vtp(v, f, "appended"),
         "solid.ac": ac3d(v, f),
         "solid.dae": collada(v, f),
         "text.fbx": fbx_text(v, f),

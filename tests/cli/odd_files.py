@@ -14,13 +14,6 @@ import tempfile
 import bear
 import mesh_files
 
-# A 3MF model as slicers write it: the meshes stand in another part of the archive.
-BESIDE = (
-    '<?xml version="1.0"?><model xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02" '
-    'xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p"><resources><object id="2" type="model">'
-    '<components><component p:path="/3D/Objects/a.model" objectid="1"/></components></object></resources><build><item objectid="2"/></build>'
-    "</model>"
-)
 POINTS = None  # instead of words: the points of the plain bear
 
 
@@ -65,7 +58,7 @@ def names(v, f):
     yield "stl text inside.ply", mesh_files.stl_text(v, f), POINTS
     yield "ply inside.stl", mesh_files.ply(v, f, "binary_little_endian"), POINTS
     yield "no ending", bear.off(v, f).encode(), POINTS
-    yield "glb inside.obj", mesh_files.glb(v, f), "rename it to end in .glb"
+    yield "glb inside.obj", mesh_files.glb(v, f), POINTS
     yield "fbx inside.obj", mesh_files.fbx_binary(v, f), "rename it to end in .fbx"
     yield "collada inside.xml", mesh_files.collada(v, f), "rename it to end in .dae"
     yield "mesh.obj.gz", gzip.compress(obj(v, f), mtime=0), "unpack it first"
@@ -122,16 +115,29 @@ def gltfs(v, f):
 
     yield "plain.glb", with_(), POINTS
     yield "mirrored twice.glb", with_(nodes=[{"scale": [-1, 1, 1], "children": [1]}, {"mesh": 0, "scale": [-1, 1, 1]}]), POINTS
-    for name in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_mesh_quantization"):
+    for name in ("KHR_draco_mesh_compression", "EXT_meshopt_compression", "EXT_mesh_gpu_instancing"):
         yield f"{name}.glb", with_(extensionsUsed=[name], extensionsRequired=[name]), name
+    yield "quantised.glb", mesh_files.quantised_glb(v, f), POINTS
     yield "version 1.gltf", json.dumps({"asset": {"version": "1.0"}}).encode(), "not glTF 2.0"
     yield "buffer missing.gltf", mesh_files.gltf(v, f, "missing.bin"), "missing.bin"
-    yield "no mesh.gltf", json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]}).encode(), "no mesh"
+    yield "no mesh.gltf", json.dumps({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{}]}).encode(), "no triangles"
+
+
+def vtks(v, f):
+    yield "text.vtk", mesh_files.vtk(v, f, False), POINTS
+    yield "binary.vtk", mesh_files.vtk(v, f, True), POINTS
+    yield "lines.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 1 1\nLINES 1 3\n2 0 1\n", "no triangles"
+    tetrahedron = b"0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
+    yield "solid cells.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n" + tetrahedron, "extract their surface"
+    yield "text.vtp", mesh_files.vtp(v, f, "ascii"), POINTS
+    yield "base64.vtp", mesh_files.vtp(v, f, "binary"), POINTS
+    yield "compressed.vtp", mesh_files.vtp(v, f, "appended"), POINTS
+    yield "lz4.vtp", mesh_files.vtp(v, f, "appended").replace(b"vtkZLib", b"vtkLZ4"), "save it with zlib"
 
 
 def others(v, f):
     yield "moved.3mf", mesh_files.threemf(mesh_files.model_of_3mf([(x - 5, y, z) for x, y, z in v], f).replace('objectid="1"/', 'objectid="1" transform="1 0 0 0 1 0 0 0 1 5 0 0"/').replace("millimeter", "inch")), POINTS  # fmt: skip
-    yield "parts beside.3mf", mesh_files.threemf(BESIDE), "export it as STL"
+    yield "parts beside.3mf", mesh_files.parts_beside_3mf(v, f), POINTS
     yield "plain.ac", mesh_files.ac3d(v, f), POINTS
     yield "text.fbx", mesh_files.fbx_text(v, f), POINTS
     yield "binary.fbx", mesh_files.fbx_binary(v, f), POINTS
@@ -163,8 +169,8 @@ def foreign(v, f):
     yield "scene.blend", b"BLENDER-v300" + bytes(99), "a Blender file"
     yield "scene.usdz", mesh_files.zipped({"a.usdc": "PXR-USDC"}), "a USD file"
     yield "slice.dcm", bytes(128) + b"DICM" + bytes(99), "a DICOM file"
-    yield "poly.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\n", "a VTK file"
-    yield "poly.vtp", b'<?xml version="1.0"?>\n<VTKFile type="PolyData">\n', "a VTK file"
+    yield "image.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET STRUCTURED_POINTS\n", "as polygonal data"
+    yield "image.vti", b'<?xml version="1.0"?>\n<VTKFile type="ImageData">\n', "of the type ImageData"
     yield "world.wrl", b"#VRML V2.0 utf8\n", "a VRML file"
     yield "picture.stl", b"\x89PNG\r\n\x1a\n" + bytes(500), "a picture"
     yield "noise.bin", bytes((i * i * 7 + i // 3) % 251 for i in range(5000)), "is not known"
@@ -173,7 +179,7 @@ def foreign(v, f):
 def all_files():
     """(name, content, words of the sentence or POINTS)"""
     v, f = plain()
-    for some in (objs, names, stls, plys, clouds, gltfs, others, geometry, foreign):
+    for some in (objs, names, stls, plys, clouds, gltfs, vtks, others, geometry, foreign):
         yield from some(v, f)
 
 

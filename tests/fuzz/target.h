@@ -26,10 +26,14 @@ Target off();
 Target obj();
 Target stl();
 Target ply();
+Target vtk();
+Target vtp();
 Target xyz();
 Target ply_cloud();
 Target cloud_surface();
 Target gltf();
+Target threemf();
+Target threemf_parts();
 Target nifti();
 Target nrrd();
 Target metaimage();
@@ -44,8 +48,9 @@ Target parameters();
 Target part();
 
 inline std::vector<Target> all_targets() {
-  return {off(),       obj(),        stl(),        ply(),     xyz(),  ply_cloud(), cloud_surface(), gltf(),         nifti(),      nrrd(),
-          metaimage(), match_json(), points_csv(), markups(), fcsv(), pts(),       tps(),           morphologika(), parameters(), part()};
+  return {off(),           obj(),     stl(),     ply(),           vtk(),   vtp(),          xyz(),        ply_cloud(),
+          cloud_surface(), gltf(),    threemf(), threemf_parts(), nifti(), nrrd(),         metaimage(),  match_json(),
+          points_csv(),    markups(), fcsv(),    pts(),           tps(),   morphologika(), parameters(), part()};
 }
 
 inline void require(bool kept, const char* promise) {

@@ -42,7 +42,7 @@ TEST_F(ReadMesh, AppliesTheTransformsOfGltfNodes) {
   EXPECT_NEAR(meshes::volume(mesh), 1 + 8, 1e-5);
   EXPECT_EQ(bounding_box(mesh).max, Vec3(12, 2, 2));
   write("box.bin", bytes.substr(0, 100));
-  expect_error("a.gltf", gltf_text(), "truncated or damaged");
+  expect_error("a.gltf", gltf_text(), "a buffer is longer than its data");
 }
 
 TEST_F(ReadMesh, OpensNothingOutsideTheFolderOfAScene) {
@@ -57,7 +57,7 @@ TEST_F(ReadMesh, OpensNothingOutsideTheFolderOfAScene) {
   expect_error("a.gltf", naming("below/inside.bin"), "no triangles");
   for (const std::string& uri : {std::string("../outside.bin"), (folder_ / "outside.bin").string(), std::string("link.bin"),
                                  std::string("../below/../outside.bin"), std::string("/dev/zero")}) {
-    expect_error("below/a.gltf", naming(uri), "could not open referenced file");
+    expect_error("below/a.gltf", naming(uri), "outside its folder");
   }
 }
 

@@ -30,7 +30,6 @@ constexpr Kind kinds[] = {
     {"BLENDER"sv, "a Blender file; export the mesh from Blender as PLY or glTF"},
     {"PXR-USDC"sv, "a USD file; export the mesh as glTF or PLY, from Blender, say"},
     {"#usda"sv, "a USD file; export the mesh as glTF or PLY, from Blender, say"},
-    {"# vtk DataFile"sv, "a VTK file; save its surface as PLY, from ParaView, say"},
     {"#VRML"sv, "a VRML file; save the mesh as PLY or OBJ, from MeshLab, say"},
     {"# .PCD"sv, "a PCD file; save its points with normals as PLY, from CloudCompare, say"},
     {"LASF"sv, "a LAS file; save its points with normals as PLY, from CloudCompare, say"},
@@ -44,7 +43,6 @@ constexpr Kind kinds[] = {
 constexpr Kind tags[] = {
     {"<!doctype html", "a web page, as failed downloads leave it; download the file again"},
     {"<html", "a web page, as failed downloads leave it; download the file again"},
-    {"<vtkfile", "a VTK file; save its surface as PLY, from ParaView, say"},
     {"<x3d", "an X3D file; save the mesh as PLY or glTF, from Blender, say"},
     {"<gifti", "a GIFTI file; save the surface as PLY or STL"},
 };
@@ -54,7 +52,6 @@ struct Scene {
 };
 
 constexpr Scene scenes[] = {
-    {"glTF", ".glb", "a binary glTF file"},
     {"Kaydara FBX Binary", ".fbx", "an FBX file"},
     {"AC3Db", ".ac", "an AC3D file"},
 };

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/base64.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -68,22 +69,20 @@ void check_extensions(const GltfFile& file) {
     if (!requires_extension(file, text)) continue;
     throw FileError(fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, text));
   }
+  if (requires_extension(file, "EXT_mesh_gpu_instancing")) {
+    throw FileError(fmt::format("{}: it needs the extension EXT_mesh_gpu_instancing, which is not read; export it without", file.name));
+  }
+}
+
+void check_version(const GltfFile& file) {
+  const auto asset = file.document.find("asset");
+  const std::string version = asset == file.document.end() ? "" : text_at(*asset, "version");
+  if (!version.empty() && version[0] != '2') fail(file, "it is not glTF 2.0");
 }
 
 std::string decoded_base64(std::string_view text, const GltfFile& file) {
-  constexpr std::string_view digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
   std::string bytes;
-  std::uint32_t bits = 0;
-  int count = 0;
-  for (const char c : text) {
-    if (c == '=') break;
-    const std::size_t digit = digits.find(c);
-    if (digit == digits.npos) fail(file, "data inside it is not base64");
-    bits = bits << 6 | static_cast<std::uint32_t>(digit);
-    if ((count += 6) < 8) continue;
-    count -= 8;
-    bytes += static_cast<char>(bits >> count & 0xff);
-  }
+  if (!decode_base64(text, std::string::npos, bytes)) fail(file, "data inside it is not base64");
   return bytes;
 }
 
@@ -97,6 +96,7 @@ void read_buffers(GltfFile& file, std::string_view binary, const FindOther& find
       throw FileError(
           fmt::format("{}: it names the file '{}', which is not there; put the two together", file.name, shown(name_of_uri(uri), 100)));
     }
+    if (number_at(file, buffer, "byteLength").value_or(0) > bytes->size()) fail(file, "a buffer is longer than its data");
     file.buffers.push_back(*bytes);
   }
 }
@@ -113,21 +113,10 @@ GltfFile read_gltf_file(std::string_view content, const std::string& name, const
   GltfFile file{name, {}, {}};
   const Chunks chunks = is_glb(content) ? chunks_of(content, file) : Chunks{content, {}};
   file.document = parse(chunks.json, file);
+  check_version(file);
   check_extensions(file);
   read_buffers(file, chunks.binary, find_other);
   return file;
-}
-
-void check_gltf_form(std::string_view content, const std::string& name) {
-  GltfFile file{name, {}, {}};
-  file.document = parse(is_glb(content) ? chunks_of(content, file).json : content, file);
-  check_extensions(file);
-  const json version = file.document.value(json::json_pointer("/asset/version"), json("2.0"));
-  if (!version.is_string() || !version.get<std::string>().starts_with("2")) fail(file, "it is not glTF 2.0");
-  for (const char* moving : {"KHR_mesh_quantization", "EXT_mesh_gpu_instancing"}) {
-    if (!requires_extension(file, moving)) continue;
-    throw FileError(fmt::format("{}: it needs the extension {}, which is not read; export it without", name, moving));
-  }
 }
 
 const json& entry(const GltfFile& file, const char* list, std::size_t number) {

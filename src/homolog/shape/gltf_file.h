@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// glTF 2.0 (ISO/IEC 12113) as it lies in its files: the JSON, the buffers, and tables of numbers in them. Ours, because assimp, which reads
-// the form alone (read_scene.h), forgets most of a material and needs a fence; the JSON is nlohmann's.
+// glTF 2.0 (ISO/IEC 12113) as it lies in its files: the JSON, the buffers, and tables of numbers in them. Ours, because assimp
+// forgets most of a material, knows no quantised positions and needs a fence; the JSON is nlohmann's.
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -22,10 +22,6 @@ struct GltfFile {
 /// A .glb, or a .gltf with its buffers inside or beside it. Throws FileError, also for extensions that it says are required and that change
 /// where things lie.
 GltfFile read_gltf_file(std::string_view content, const std::string& name, const FindOther& find_other);
-
-/// For readers of the form that know no extensions. Throws FileError when the file is not glTF 2.0, or requires an extension that changes
-/// where things lie.
-void check_gltf_form(std::string_view content, const std::string& name);
 
 /// Whether content begins as a .glb does.
 bool is_glb(std::string_view content);

@@ -4,22 +4,12 @@
 #include <fmt/format.h>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/read_gltf.h"
 #include "homolog/shape/read_gltf_attributes.h"
 #include "homolog/shape/read_obj_attributes.h"
 #include "homolog/shape/read_ply_attributes.h"
 
 namespace homolog {
-namespace {
-
-/// What lies beside `path`, or nothing; what lies elsewhere is refused.
-std::optional<std::string> find_beside(const std::filesystem::path& path, const std::string& name, std::uint64_t most) {
-  std::error_code error;
-  if (!std::filesystem::exists(path.parent_path() / name, error)) return {};
-  return read_beside(path, name, most);
-}
-
-}  // namespace
-
 AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimits& limits) {
   read_mesh(path, limits);  // which refuses what cannot be used
   const std::string content = read_file(path, limits.bytes), file = path.string();
@@ -29,7 +19,7 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
     mesh = read_ply_attributes(content, file);
   } else if (lower_extension(path) == ".obj") {
     mesh = read_obj_attributes(content, file, find_other);
-  } else if (const std::string ending = lower_extension(path); ending == ".gltf" || ending == ".glb") {
+  } else if (is_gltf(content)) {
     mesh = read_gltf_attributes(content, file, find_other, limits.triangles);
   } else {
     throw FileError(fmt::format("{}: colours, UVs and the like are read from {}; save it as one of these", file, readable_attributes));

@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 
 #include "homolog/base/errors.h"
-#include "homolog/shape/gltf_table.h"
+#include "homolog/shape/gltf_primitives.h"
 #include "homolog/shape/read_gltf_animations.h"
 #include "homolog/shape/read_gltf_materials.h"
 #include "homolog/shape/srgb.h"
@@ -15,20 +15,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_displacements = 50'000'000;
-enum : std::size_t { kTriangles = 4, kStrip = 5, kFan = 6 };
-
-const json no_object = json::object();
-
-const json& object_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? *found : no_object;
-}
-
-const json& list_at(const json& object, const char* key) {
-  static const json none = json::array();
-  const auto found = object.find(key);
-  return found != object.end() && found->is_array() ? *found : none;
-}
 
 struct Reader {
   const GltfFile& file;
@@ -55,39 +41,6 @@ struct Instance {
   std::optional<std::vector<std::uint16_t>> joints;  ///< of its skin
   std::vector<Block> blocks;
 };
-
-/// What a primitive's triangles say of its vertices: 0, 1, 2, 3 ... if it has no indices.
-std::vector<double> indices_of(const Reader& reader, const json& primitive, std::size_t vertices) {
-  if (const auto indices = number_at(reader.file, primitive, "indices")) {
-    return read_gltf_table(reader.file, *indices, {"indices", {1}, {}}).values;
-  }
-  std::vector<double> numbers(vertices);
-  for (std::size_t i = 0; i < vertices; ++i) numbers[i] = static_cast<double>(i);
-  return numbers;
-}
-
-void append_triangles(Reader& reader, const json& primitive, std::size_t mode, const Block& block) {
-  const std::vector<double> indices = indices_of(reader, primitive, block.vertices);
-  for (const double index : indices) {
-    if (!(index >= 0 && index < static_cast<double>(block.vertices))) {
-      fail(reader.file, fmt::format("a triangle names vertex {} of {}", index, block.vertices));
-    }
-  }
-  auto& triangles = reader.mesh.mesh.triangles;
-  const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
-    const auto at = [&](std::size_t i) { return block.first + static_cast<std::uint32_t>(indices[i]); };
-    triangles.push_back({at(a), at(b), at(c)});
-  };
-  const std::size_t step = mode == kTriangles ? 3 : 1;
-  for (std::size_t i = 0; i + 3 <= indices.size(); i += step) {
-    if (mode == kFan) {
-      add(0, i + 1, i + 2);
-    } else {
-      const bool turned = mode == kStrip && i % 2 == 1;
-      add(i, i + (turned ? 2 : 1), i + (turned ? 1 : 2));
-    }
-  }
-}
 
 void append_positions(Reader& reader, const GltfTable& positions, const Mat4& world) {
   auto& vertices = reader.mesh.mesh.vertices;
@@ -162,13 +115,6 @@ void append_shape_keys(Reader& reader, const Instance& instance, const json& pri
   }
 }
 
-void check_count(const Reader& reader, std::size_t vertices) {
-  const std::size_t triangles = reader.mesh.mesh.triangles.size();
-  if (triangles <= reader.most_triangles && vertices <= 3 * reader.most_triangles) return;
-  throw FileError(
-      fmt::format("{}: it holds more than the {} triangles that are read; simplify the mesh", reader.file.name, reader.most_triangles));
-}
-
 void append_influences(Reader& reader, const Instance& instance, const json& attributes, std::size_t vertices) {
   auto& influences = reader.mesh.rig.influences;
   if (!instance.joints) return influences.resize(influences.size() + vertices);
@@ -183,11 +129,9 @@ Block block_of(Reader& reader, Instance& instance, const json& primitive) {
   for (const Block& block : instance.blocks) {
     if (block.attributes == attributes && block.targets == targets) return block;
   }
-  const auto number = number_at(reader.file, attributes, "POSITION");
-  if (!number) fail(reader.file, "a mesh has no POSITION");
-  const GltfTable positions = read_gltf_table(reader.file, *number, {"POSITION", {3}, {}});
+  const GltfTable positions = positions_of(reader.file, primitive);
   const std::size_t first = reader.mesh.mesh.vertices.size(), vertices = positions.rows;
-  check_count(reader, first + vertices);
+  check_count(reader.file, reader.mesh.mesh.triangles.size(), first + vertices, reader.most_triangles);
   append_positions(reader, positions, instance.world);
   append_colours(reader, attributes, vertices);
   append_shape_keys(reader, instance, primitive, first, vertices);
@@ -198,11 +142,12 @@ Block block_of(Reader& reader, Instance& instance, const json& primitive) {
 }
 
 void append_primitive(Reader& reader, Instance& instance, const json& primitive) {
-  const std::size_t mode = number_at(reader.file, primitive, "mode").value_or(kTriangles);
-  if (mode != kTriangles && mode != kStrip && mode != kFan) return;  // points and lines
+  if (!draws_triangles(reader.file, primitive)) return;
   const Block block = block_of(reader, instance, primitive);
-  append_triangles(reader, primitive, mode, block);
-  check_count(reader, reader.mesh.mesh.vertices.size());
+  Mesh& mesh = reader.mesh.mesh;
+  const auto triangles = triangles_of(reader.file, primitive, block.vertices, block.first);
+  mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
+  check_count(reader.file, mesh.triangles.size(), mesh.vertices.size(), reader.most_triangles);
   append_texturing(reader, primitive, block);
 }
 

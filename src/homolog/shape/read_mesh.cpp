@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// OFF, OBJ, PLY, STL and volumes by our own readers (their heads say why), scenes by assimp behind a fence (read_scene.h).
+// Most formats by our own readers (their heads say why), the other scenes by assimp behind a fence (read_scene.h).
 #include "homolog/shape/read_mesh.h"
 
 #include <fmt/format.h>
@@ -12,6 +12,8 @@
 #include "homolog/base/read_file.h"
 #include "homolog/shape/cloud_surface.h"
 #include "homolog/shape/foreign_file.h"
+#include "homolog/shape/read_3mf.h"
+#include "homolog/shape/read_gltf.h"
 #include "homolog/shape/read_metaimage.h"
 #include "homolog/shape/read_nifti.h"
 #include "homolog/shape/read_nrrd.h"
@@ -21,6 +23,8 @@
 #include "homolog/shape/read_ply_cloud.h"
 #include "homolog/shape/read_scene.h"
 #include "homolog/shape/read_stl.h"
+#include "homolog/shape/read_vtk.h"
+#include "homolog/shape/read_vtp.h"
 #include "homolog/shape/read_xyz.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
@@ -74,21 +78,33 @@ Mesh read_ply_content(std::string_view content, const std::string& file, std::si
 
 Mesh read_content(const fs::path& path, std::string_view content, const ReadLimits& limits) {
   const std::string extension = lower_extension(path);
+  const FindOther find_other = [&](const std::string& name) { return find_beside(path, name, limits.bytes); };
   if (content.starts_with("ply")) return read_ply_content(content, path.string(), limits.triangles);
+  if (is_vtk(content)) return read_vtk(content, path.string());
+  if (is_vtp(content)) return read_vtp(content, path.string(), limits.triangles);
   if (is_stl(content)) return weld(read_stl(content, path.string()));
   if (is_obj(content)) return read_obj(content, path.string());
+  if (is_gltf(content) || extension == ".gltf" || extension == ".glb")
+    return weld(read_gltf(content, path.string(), find_other, limits.triangles));
+  if (extension == ".3mf") return weld(read_3mf(content, path.string(), limits));
   if (extension == ".off" || is_off(content)) return read_off(content, path.string());
   if (extension == ".obj") return read_obj(content, path.string());
   if (extension == ".ply") return read_ply(content, path.string());
   if (extension == ".stl") return weld(read_stl(content, path.string()));
   if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, path.string()), path.string(), limits.triangles);
-  throw FileError(
-      fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL or one of {}, a label volume as .nii, .nii.gz, "
-                  ".nrrd or .mha, or a point cloud with normals as PLY or .xyz",
-                  path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
+  throw FileError(fmt::format(
+      "{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL, VTK, glTF, 3MF or one of {}, a label volume as .nii, .nii.gz, "
+      ".nrrd or .mha, or a point cloud with normals as PLY or .xyz",
+      path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
 }
 
 }  // namespace
+
+std::optional<std::string> find_beside(const fs::path& file, const std::string& name, std::uint64_t most) {
+  std::error_code error;
+  if (!fs::exists(file.parent_path() / name, error)) return {};
+  return read_beside(file, name, most);
+}
 
 std::string read_beside(const fs::path& file, const std::string& name, std::uint64_t most) {
   const fs::path folder = fs::canonical(fs::absolute(file).parent_path());

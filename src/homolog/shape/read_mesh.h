@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: MIT
-// Reading shapes: meshes (OFF, OBJ, PLY and STL by ourselves, strictly, as their readers say; scenes by assimp behind a fence), and the
-// surfaces of labels in volumes and of point clouds.
+// Reading shapes: meshes (most by ourselves, strictly, as their readers say; some scenes by assimp behind a fence), and the surfaces of
+// labels in volumes and of point clouds.
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
-#include "homolog/base/read_file.h"
 #include "homolog/shape/label_surface.h"
 #include "homolog/shape/mesh.h"
+#include "homolog/shape/read_limits.h"
 
 namespace homolog {
 
-/// What a mesh file may have at most; more is refused.
-struct ReadLimits {
-  std::uint64_t bytes = most_bytes;
-  std::size_t triangles = 50'000'000;  ///< or points of a cloud
-  std::uint64_t voxels = std::uint64_t{1} << 29;
-};
-
-/// Reads OFF, OBJ, PLY, STL, glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ and PLY keep the file's order and numbers;
-/// those of the others are welded where they are exactly equal. Transforms of nodes are applied, polygons become triangles, points and
-/// lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS; of point clouds with normals (PLY without
-/// faces, XYZ) the surface that they were taken from (cloud_surface.h). All are known by how they begin, scenes by their names, too; what
-/// else a file is, is told (foreign_file.h). Throws FileError (missing, empty, truncated, malformed, non-finite, beyond the limits, a label
-/// that is not there, points without normals).
+/// Reads OFF, OBJ, PLY, STL, VTK (legacy, .vtp, .vtu), glTF/GLB, 3MF, AC3D, COLLADA, FBX and 3DS. The vertices of OFF, OBJ, PLY and VTK
+/// keep the file's order and numbers; those of the others are welded where they are exactly equal. Transforms of nodes are applied,
+/// polygons become triangles, points and lines are left out. Of label volumes (NIfTI, NRRD, MetaImage) the surface of a label, in LPS; of
+/// point clouds with normals (PLY without faces, XYZ) the surface that they were taken from (cloud_surface.h). All are known by how they
+/// begin, scenes and 3MF by their names, too; what else a file is, is told (foreign_file.h). Throws FileError (missing, empty, truncated,
+/// malformed, non-finite, beyond the limits, a label that is not there, points without normals).
 Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
 
 /// Reads a file that another one names: in that one's folder or below, links followed. Throws FileError.
 std::string read_beside(const std::filesystem::path& file, const std::string& name, std::uint64_t most = most_bytes);
+
+/// The same, or none if it is not there.
+std::optional<std::string> find_beside(const std::filesystem::path& file, const std::string& name, std::uint64_t most = most_bytes);
 
 }  // namespace homolog

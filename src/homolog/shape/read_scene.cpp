@@ -12,7 +12,6 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
-#include "homolog/shape/gltf_file.h"
 #include "homolog/shape/read_in_child.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
@@ -24,10 +23,7 @@ namespace fs = std::filesystem;
 
 constexpr std::uintmax_t bytes_a_second = 1 << 20;  // the slowest that an undamaged file is read
 
-constexpr const char* without_triangles =
-    "no triangles stand in its main part, and the parts beside it, where slicers put objects, are not read; export it as STL";
-
-/// Opens what lies in one folder and below. A file names others (buffers, textures), and must not name what is none of its business.
+/// Opens what lies in one folder and below. A file names others (textures), and must not name what is none of its business.
 class OneFolder : public Assimp::DefaultIOSystem {
  public:
   explicit OneFolder(const fs::path& file) : file_(file.string()), folder_(fs::canonical(fs::absolute(file).parent_path())) {}
@@ -97,22 +93,14 @@ Mesh read_by_assimp(const fs::path& path) {
 }  // namespace
 
 const std::vector<std::string>& scene_extensions() {
-  static const std::vector<std::string> extensions{".gltf", ".glb", ".3mf", ".ac", ".dae", ".fbx", ".3ds"};
+  static const std::vector<std::string> extensions{".ac", ".dae", ".fbx", ".3ds"};
   return extensions;
 }
 
 Mesh read_scene(const fs::path& path) {
   ChildLimits limits;
   limits.seconds += static_cast<unsigned>(fs::file_size(path) / bytes_a_second);
-  return read_in_child(
-      [&] {
-        const std::string extension = lower_extension(path);
-        if (extension == ".gltf" || extension == ".glb") check_gltf_form(read_file(path), path.string());
-        Mesh mesh = read_by_assimp(path);
-        if (mesh.triangles.empty() && extension == ".3mf") throw FileError(fmt::format("{}: {}", path.string(), without_triangles));
-        return mesh;
-      },
-      path.string(), limits);
+  return read_in_child([&] { return read_by_assimp(path); }, path.string(), limits);
 }
 
 }  // namespace homolog

@@ -11,7 +11,7 @@
 
 namespace homolog {
 
-/// ".gltf" and the like.
+/// ".fbx" and the like.
 const std::vector<std::string>& scene_extensions();
 
 /// All meshes of a scene with the transforms of their nodes applied, equal vertices welded. Throws FileError.

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/xml.h"
+
+#include <expat.h>
+#include <fmt/format.h>
+
+#include <exception>
+#include <limits>
+#include <memory>
+
+#include "homolog/base/errors.h"
+
+namespace homolog {
+namespace {
+
+using Parser = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
+
+struct Reading {
+  const XmlEvents& events;
+  XML_Parser parser;
+  XmlElement element = {};
+  bool wants_more = true;
+  std::exception_ptr thrown = {};  // expat is C: nothing may be thrown through it
+
+  template <class Event>
+  void guard(const Event& event) {
+    if (!wants_more || thrown) return;
+    try {
+      event();
+    } catch (...) {
+      thrown = std::current_exception();
+    }
+    if (!wants_more || thrown) XML_StopParser(parser, XML_FALSE);
+  }
+  std::size_t place() const { return static_cast<std::size_t>(XML_GetCurrentByteIndex(parser)); }
+};
+
+std::string_view without_prefix(std::string_view name) { return name.substr(name.find(':') + 1); }
+
+void begin(void* reading, const char* name, const char** attributes) {
+  auto& self = *static_cast<Reading*>(reading);
+  self.guard([&] {
+    self.element.name = without_prefix(name);
+    self.element.attributes.clear();
+    for (; attributes[0]; attributes += 2) self.element.attributes.emplace_back(without_prefix(attributes[0]), attributes[1]);
+    self.element.inside = self.place() + static_cast<std::size_t>(XML_GetCurrentByteCount(self.parser));
+    self.element.line = XML_GetCurrentLineNumber(self.parser);
+    self.wants_more = self.events.begin(self.element);
+  });
+}
+
+void end(void* reading, const char* name) {
+  auto& self = *static_cast<Reading*>(reading);
+  self.guard([&] {
+    if (self.events.end) self.events.end(without_prefix(name), self.place());
+  });
+}
+
+}  // namespace
+
+std::string_view XmlElement::attribute(std::string_view key) const {
+  for (const auto& [name, value] : attributes) {
+    if (name == key) return value;
+  }
+  return {};
+}
+
+void read_xml(std::string_view text, const std::string& file, const XmlEvents& events) {
+  if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
+    throw FileError(fmt::format("{}: more than 2 GiB of XML are not read; save it as binary PLY or STL", file));
+  }
+  const Parser parser(XML_ParserCreate(nullptr), &XML_ParserFree);
+  if (!parser) throw std::bad_alloc();
+  Reading reading{events, parser.get()};
+  XML_SetUserData(parser.get(), &reading);
+  XML_SetElementHandler(parser.get(), begin, end);
+  const bool whole = XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK;
+  if (reading.thrown) std::rethrow_exception(reading.thrown);
+  if (!whole && reading.wants_more) {
+    throw FileError(fmt::format("{}, line {}: {}; the file is truncated or damaged", file, XML_GetCurrentLineNumber(parser.get()),
+                                XML_ErrorString(XML_GetErrorCode(parser.get()))));
+  }
+}
+
+}  // namespace homolog

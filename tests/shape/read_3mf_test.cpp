@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_3mf.h"
+
+#include "shape/files.h"
+#include "shape/meshes.h"
+#include "shape/zip_files.h"
+
+namespace homolog {
+namespace {
+
+using Read3mf = FileTest;
+
+std::string with(std::string text, const std::string& old, const std::string& other) {
+  return text.replace(text.find(old), old.size(), other);
+}
+
+TEST_F(Read3mf, PutsObjectsOfSeveralPartsTogether) {
+  EXPECT_EQ(read("a.3mf", zip::threemf(zip::model())).triangles.size(), 4u);
+  const Mesh mesh = read("a.3mf", zip::threemf(zip::assembly(), zip::model()));
+  EXPECT_EQ(mesh.triangles.size(), 8u);
+  EXPECT_NEAR(meshes::volume(mesh), 2 * 8 / 6.0, 1e-12);
+  // x goes to 2y, y to -2x, z to 2z + 1, after the second one is moved by 5
+  EXPECT_EQ(bounding_box(mesh).min, Vec3(-2, 0, 1));
+  EXPECT_EQ(bounding_box(mesh).max, Vec3(0, 12, 3));
+}
+
+TEST_F(Read3mf, LeavesOutWhatIsNotPrinted) {
+  const std::string support = R"(<object id="7" type="support"><mesh><vertices/></mesh></object>)";
+  const std::string both = R"(<item objectid="7"/><item objectid="1"/>)";
+  EXPECT_EQ(read("a.3mf", zip::threemf(zip::model(support, both))).triangles.size(), 4u);
+  expect_error("a.3mf", zip::threemf(zip::model(support, R"(<item objectid="7"/>)")), "no triangles");
+}
+
+TEST_F(Read3mf, RefusesWhatIsMissingOrDamaged) {
+  const std::string model = zip::model(), whole = zip::threemf(model);
+  expect_error("a.3mf", "PK", "archive cannot be opened");
+  expect_error("a.3mf", whole.substr(0, whole.size() - 30), "archive cannot be opened");
+  expect_error("a.3mf", zip::archive({{"a.txt", "a"}}), "not of a 3MF model");
+  expect_error("a.3mf", zip::archive({{"_rels/.rels", "<Relationships/>"}}), "names no 3D model");
+  expect_error("a.3mf", with(whole, "y=\"1\"", "y=\"2\""), "cannot be unpacked");  // the check sum
+  expect_error("a.3mf", zip::threemf(zip::model("", R"(<item p:path="/b.model" objectid="1"/>)")), "part 'b.model' is missing");
+  expect_error("a.3mf", zip::threemf(zip::model("", R"(<item objectid="2"/>)")), "object '2' does not exist");
+  expect_error("a.3mf", zip::threemf(with(model, "v1=\"0\"", "v1=\"4\"")), "vertex 4 does not exist (the object has 4");
+  expect_error("a.3mf", zip::threemf(with(model, "x=\"1\"", "x=\"nan\"")), "'nan' is not a finite number");
+  expect_error("a.3mf", zip::threemf(with(model, "x=\"1\"", "w=\"1\"")), "a vertex coordinate is missing");
+  expect_error("a.3mf", zip::threemf(with(model, "</model>", "")), "truncated or damaged");
+}
+
+TEST_F(Read3mf, EndsWhereObjectsHoldThemselvesOrEachOtherTooOften) {
+  const std::string circle = R"(<object id="2"><components><component objectid="2"/></components></object>)";
+  expect_error("a.3mf", zip::threemf(zip::model(circle, R"(<item objectid="2"/>)")), "hold each other too often");
+  std::string doubling;
+  for (int i = 2; i < 60; ++i) {
+    const std::string inner = std::to_string(i + 1);
+    doubling += "<object id=\"" + std::to_string(i) + "\"><components><component objectid=\"" + inner + "\"/><component objectid=\"" +
+                inner + "\"/></components></object>";
+  }
+  doubling += R"(<object id="60"/>)";
+  expect_error("a.3mf", zip::threemf(zip::model(doubling, R"(<item objectid="2"/>)")), "hold each other too often");
+}
+
+TEST_F(Read3mf, UnpacksNoMoreThanTheLimit) {
+  ReadLimits limits;
+  limits.bytes = 300;
+  const std::string whole = zip::threemf(zip::model());
+  EXPECT_THROW(read_3mf(whole, "a.3mf", limits), FileError);
+  limits = {};
+  limits.triangles = 3;
+  EXPECT_THROW(read_3mf(whole, "a.3mf", limits), FileError);
+}
+
+}  // namespace
+}  // namespace homolog

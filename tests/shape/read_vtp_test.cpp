@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/shape/read_vtp.h"
+
+#include "shape/files.h"
+#include "shape/vtk_files.h"
+
+namespace homolog {
+namespace {
+
+using ReadVtp = FileTest;
+
+std::string with(std::string text, const std::string& old, const std::string& other) {
+  return text.replace(text.find(old), old.size(), other);
+}
+
+TEST_F(ReadVtp, ReadsArraysHoweverTheyLie) {
+  const Mesh expected = read("a.vtk", vtk::legacy(false));
+  std::vector<vtk::XmlForm> forms{{.ascii = true}};
+  for (const bool appended : {false, true}) {
+    for (const bool compressed : {false, true}) {
+      for (const std::endian order : {std::endian::little, std::endian::big}) {
+        forms.push_back({false, appended, true, compressed, order});
+        if (appended) forms.push_back({false, appended, false, compressed, order});
+      }
+    }
+  }
+  for (const vtk::XmlForm& form : forms) {
+    const Mesh mesh = read("a.vtp", vtk::vtp(form));
+    EXPECT_EQ(mesh.vertices, expected.vertices);
+    EXPECT_EQ(mesh.triangles, expected.triangles);
+  }
+}
+
+TEST_F(ReadVtp, ReadsTheFlatCellsOfGrids) {
+  const std::string grid =
+      "<VTKFile type=\"UnstructuredGrid\"><UnstructuredGrid><Piece NumberOfPoints=\"3\" NumberOfCells=\"2\"><Points>"
+      "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0</DataArray></Points><Cells>"
+      "<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2 0</DataArray>"
+      "<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3 4</DataArray>"
+      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">5 1</DataArray></Cells></Piece></UnstructuredGrid></VTKFile>";
+  EXPECT_EQ(read("a.vtu", grid).triangles.size(), 1u);
+  expect_error("a.vtu", with(grid, "5 1", "10 1"), "type 10");
+}
+
+TEST_F(ReadVtp, PutsPiecesTogether) {
+  const std::string one = vtk::vtp({.ascii = true});
+  const std::size_t begin = one.find("<Piece"), end = one.find("</PolyData>");
+  const Mesh mesh = read("a.vtp", one.substr(0, end) + one.substr(begin));
+  EXPECT_EQ(mesh.vertices.size(), 10u);
+  EXPECT_EQ(mesh.triangles.back(), (std::array<std::uint32_t, 3>{8, 5, 9}));
+}
+
+TEST_F(ReadVtp, RefusesWhatItDoesNotRead) {
+  const std::string text = vtk::vtp({.ascii = true}), packed = vtk::vtp({false, true, false, true});
+  expect_error("a.vtp", with(text, "PolyData", "ImageData"), "of the type ImageData, which is not read");
+  expect_error("a.vtp", with(packed, "vtkZLib", "vtkLZ4"), "compressed by vtkLZ4DataCompressor");
+  expect_error("a.vtp", with(text, "Float32", "String"), "'String' are not read");
+}
+
+TEST_F(ReadVtp, RefusesDamagedFiles) {
+  const std::string text = vtk::vtp({.ascii = true}), packed = vtk::vtp({false, true, false, true}), inside = vtk::vtp({.encoded = true});
+  expect_error("a.vtp", text.substr(0, 300), "line 7: unclosed token");
+  expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"x\""), "must be a whole number");
+  expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"99999999999\""), "more than the 150000000 points");
+  expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"6\""), "fewer numbers than it must have");
+  expect_error("a.vtp", with(text, "0.5", "nan"), "not a finite number");
+  expect_error("a.vtp", with(text, "\"offsets\"", "\"others\""), "Strips offsets is missing");
+  expect_error("a.vtp", with(text, "2 3 4 0", "2 3 4 9"), "names point 9, but there are 5");
+  expect_error("a.vtp", with(inside, "AAAA", "AA!A"), "not base64");
+  expect_error("a.vtp", with(inside, "NumberOfPoints=\"5\"", "NumberOfPoints=\"4\""), "another length");
+  expect_error("a.vtp", with(packed, "NumberOfPoints=\"5\"", "NumberOfPoints=\"4\""), "another length");
+  expect_error("a.vtp", with(packed, "offset=\"0\"", "offset=\"99999\""), "behind the end");
+  expect_error("a.vtp", packed.substr(0, packed.size() - 80), "longer than the file");
+}
+
+}  // namespace
+}  // namespace homolog
