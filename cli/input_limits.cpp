@@ -22,23 +22,29 @@ void limit_memory(std::uint64_t mebibytes) {
   setrlimit(RLIMIT_DATA, &limit);
 }
 
+template <class Value>
+void add_limit(CLI::App& verb, const char* name, Value& value, const char* what) {
+  verb.add_option(name, value, fmt::format("{}; default {}.", what, value))
+      ->group("Limits")
+      ->type_name("N")
+      ->check(CLI::Range(1ul, kMost));
+}
+
 }  // namespace
 
-void add_limit_options(CLI::App& verb, Limits& limits) {
-  const auto add = [&](const char* name, auto& value, const char* what) {
-    verb.add_option(name, value, fmt::format("{}; default {}.", what, value))
-        ->group("Limits")
-        ->type_name("N")
-        ->check(CLI::Range(1ul, kMost));
-  };
-  add("--max-bytes", limits.file.bytes, "Refuse files of more bytes");
-  add("--max-triangles", limits.file.triangles, "Refuse meshes of more triangles, clouds of more points");
-  add("--max-voxels", limits.file.voxels, "Refuse label volumes of more voxels");
-  add("--max-points", limits.points, "Refuse shapes with more salient points");
+void add_reading_limits(CLI::App& verb, ReadLimits& limits) {
+  add_limit(verb, "--max-bytes", limits.bytes, "Refuse files of more bytes");
+  add_limit(verb, "--max-triangles", limits.triangles, "Refuse meshes of more triangles, clouds of more points");
+  add_limit(verb, "--max-voxels", limits.voxels, "Refuse label volumes of more voxels");
   verb.add_option_function<std::uint64_t>("--max-memory", limit_memory, "Take no more MiB of memory; default 0, all there is.")
       ->group("Limits")
       ->type_name("MIB")
       ->check(CLI::Range(0ul, std::uint64_t{1} << 30));
+}
+
+void add_limit_options(CLI::App& verb, Limits& limits) {
+  add_reading_limits(verb, limits.file);
+  add_limit(verb, "--max-points", limits.points, "Refuse shapes with more salient points");
 }
 
 void check_points(const Shape& shape, const Limits& limits) {

@@ -14,7 +14,10 @@ struct Limits {
   std::size_t points = 2000;  ///< of a shape; an animal has thirty, and the time of a match grows with the square
 };
 
-/// --max-bytes, --max-triangles, --max-voxels, --max-points and --max-memory; the last takes effect when it is read.
+/// --max-bytes, --max-triangles, --max-voxels and --max-memory; the last takes effect when it is read.
+void add_reading_limits(CLI::App& verb, ReadLimits& limits);
+
+/// The same and --max-points.
 void add_limit_options(CLI::App& verb, Limits& limits);
 
 /// Throws ShapeError when the shape has more salient points than may be.

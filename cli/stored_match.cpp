@@ -9,12 +9,14 @@
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
 #include "homolog/shape/read_mesh.h"
+#include "input_limits.h"
 
 namespace homolog::cli {
 
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options) {
   verb.add_option("MATCH", options.file, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
   verb.add_option("--match", options.number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
+  add_reading_limits(verb, options.limits);
 }
 
 std::optional<StoredFamily> read_matches(const StoredMatchOptions& options) {
@@ -39,7 +41,7 @@ Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, c
     throw FileError(fmt::format("{}: this mesh does not stand beside the match; name the meshes that were matched by --model and --data",
                                 path.string()));
   }
-  Mesh mesh = read_mesh(path);
+  Mesh mesh = read_mesh(path, options.limits);
   if (vertices == 0 || mesh.vertices.size() == vertices) return mesh;
   throw FileError(fmt::format("{}: it has {} vertices, but the mesh that was matched had {}; name that one", path.string(),
                               mesh.vertices.size(), vertices));

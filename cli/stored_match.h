@@ -8,15 +8,17 @@
 
 #include "homolog/outputs/read_match.h"
 #include "homolog/shape/mesh.h"
+#include "homolog/shape/read_limits.h"
 
 namespace homolog::cli {
 
 struct StoredMatchOptions {
   std::string file;  ///< match.json
   int number = 1;    ///< in the family, 1 for the best
+  ReadLimits limits = {};  ///< of the meshes that are read beside it
 };
 
-/// MATCH and --match.
+/// MATCH, --match and the limits of files.
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options);
 
 /// The family in MATCH; none, and a message that says so, when it holds no match. Throws FileError.

@@ -17,8 +17,8 @@ namespace homolog::cli {
 namespace {
 
 /// The painted mesh, its fields of the kind that the user says.
-AttributedMesh read_giver(const AttributeOptions& options) {
-  AttributedMesh giver = read_attributes(options.from);
+AttributedMesh read_giver(const AttributeOptions& options, const ReadLimits& limits) {
+  AttributedMesh giver = read_attributes(options.from, limits);
   for (const std::string& name : options.labels) {
     const auto field = std::find_if(giver.fields.begin(), giver.fields.end(), [&](const Field& f) { return f.name == name; });
     if (field == giver.fields.end()) {
@@ -67,10 +67,10 @@ void check_options(const AttributeOptions& options, const std::string& out) {
 
 int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& family, const MatchMap& match, Console& console) {
   const bool forwards = transfer.direction == Direction::data_from_model;
-  const AttributedMesh giver = read_giver(transfer.options);
+  const AttributedMesh giver = read_giver(transfer.options, transfer.match.limits);
   const Mesh receiver = transfer.options.onto.empty() ? matched_mesh(transfer.match, "", forwards ? "data.part.ply" : "model.part.ply",
                                                                      forwards ? family.data_vertices : family.model_vertices)
-                                                      : read_mesh(transfer.options.onto);
+                                                      : read_mesh(transfer.options.onto, transfer.match.limits);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
   const DenseMap map = places_on(giver, receiver, match, transfer.direction);

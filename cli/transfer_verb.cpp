@@ -104,8 +104,8 @@ struct Carried {
   std::size_t there = 0, all = 0;
 };
 
-Carried carry_mesh(const MatchMap& match, const std::string& file, Direction direction) {
-  const Mesh mesh = read_mesh(file);
+Carried carry_mesh(const MatchMap& match, const std::string& file, const ReadLimits& limits, Direction direction) {
+  const Mesh mesh = read_mesh(file, limits);
   Carried result;
   const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
   for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
@@ -115,7 +115,7 @@ Carried carry_mesh(const MatchMap& match, const std::string& file, Direction dir
 /// `shape`: the one that is carried to.
 Carried carry_file(const MatchMap& match, const TransferOptions& options, const std::string& shape) {
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
-  if (!options.mesh.empty()) return carry_mesh(match, options.mesh, direction);
+  if (!options.mesh.empty()) return carry_mesh(match, options.mesh, options.match.limits, direction);
   const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen), direction);
   Carried result;
   for (const CarriedLandmark& landmark : landmarks) result.there += landmark.point && landmark.point->is_there();

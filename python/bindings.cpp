@@ -72,11 +72,17 @@ void check_described_with(const Described& described, const Params& params) {
   }
 }
 
-std::pair<Places, Triangles> read(const std::filesystem::path& path) {
+std::pair<Places, Triangles> read(const std::filesystem::path& path, const Label& label, const std::map<std::string, std::uint64_t>& most) {
+  ReadLimits limits;
+  for (const auto& [what, number] : most) {
+    if (what == "bytes") limits.bytes = number;
+    if (what == "triangles") limits.triangles = number;
+    if (what == "voxels") limits.voxels = number;
+  }
   Mesh mesh;
   {
     Interruptible working;
-    mesh = read_mesh(path);
+    mesh = read_mesh(path, limits, label);
   }
   Triangles triangles(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
@@ -193,7 +199,7 @@ NB_MODULE(_core, module) {
       .def_prop_ro("points", [](const py::Described& d) { return py::points_fields(d.shape.points); });
   auto match_map = py::bind_match_map(module);
   py::bind_dense(module, match_map);
-  module.def("read", &py::read, nb::arg("path"));
+  module.def("read", &py::read, nb::arg("path"), nb::arg("label").none(), nb::arg("most"));
   module.def("describe", &py::describe, nb::arg("vertices"), nb::arg("triangles"), nb::arg("name"), nb::arg("part").none(),
              nb::arg("parameters"));
   module.def("match", &py::match, nb::arg("model"), nb::arg("data"), nb::arg("parameters"));

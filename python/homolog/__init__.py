@@ -7,6 +7,8 @@ mesh, or what `describe` made. Parameters are keywords, those of `homolog params
 
 A part is a box ((x, y, z), (x, y, z)) in shares of the shape's bounding box, 0 to 1: part=((0, 0.5, 0), (1, 1, 1)) is the upper half in y.
 
+Of a label volume, `label` says which voxels are the shape: those of this value, 0 for all that are not 0.
+
 Bad shapes and parameters raise ValueError, files that cannot be read OSError.
 """
 from __future__ import annotations
@@ -26,16 +28,30 @@ __all__ = [
 ]  # fmt: skip
 
 
-def describe(shape: Any, *, part: Any = None, **parameters: Any) -> Shape:
-    """Describes a shape, or a part of it, so that many calls can use it."""
-    return Shape(*arrays_of(shape), part, texts_of(parameters))
+def describe(
+    shape: Any,
+    *,
+    part: Any = None,
+    label: int | None = None,
+    max_bytes: int | None = None,
+    max_triangles: int | None = None,
+    max_voxels: int | None = None,
+    **parameters: Any,
+) -> Shape:
+    """Describes a shape, or a part of it, so that many calls can use it. A file beyond the limits raises OSError."""
+    given = {"bytes": max_bytes, "triangles": max_triangles, "voxels": max_voxels}
+    most = {what: number for what, number in given.items() if number is not None}
+    for what, number in most.items():
+        if not isinstance(number, int) or number < 1:
+            raise ValueError(f"max_{what} is {number!r}, but must be a whole number from 1")
+    return Shape(*arrays_of(shape, label, most), part, texts_of(parameters))
 
 
-def _described(shape: Any, part: Any, parameters: dict[str, str]) -> Shape:
+def _described(shape: Any, part: Any, label: int | None, parameters: dict[str, str]) -> Shape:
     if not isinstance(shape, Shape):
-        return Shape(*arrays_of(shape), part, parameters)
-    if part is not None:
-        raise ValueError("a described shape has its part already; give the part to homolog.describe")
+        return Shape(*arrays_of(shape, label), part, parameters)
+    if part is not None or label is not None:
+        raise ValueError("a described shape has its part and its label already; give them to homolog.describe")
     return shape
 
 
@@ -48,24 +64,33 @@ def _with_those_of(shapes: tuple[Any, ...], parameters: dict[str, Any]) -> dict[
     return {**texts, **texts_of(parameters)}
 
 
-def points(shape: Any, *, part: Any = None, **parameters: Any) -> Points:
+def points(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Any) -> Points:
     """The salient points of a shape. Those of a described one are known already, so that it takes no parameters."""
     if isinstance(shape, Shape) and parameters:
         raise ValueError("a described shape has its points already; give the parameters to homolog.describe")
-    return _described(shape, part, texts_of(parameters)).points
+    return _described(shape, part, label, texts_of(parameters)).points
 
 
-def match(model: Any, data: Any, *, model_part: Any = None, data_part: Any = None, **parameters: Any) -> Family:
+def match(
+    model: Any,
+    data: Any,
+    *,
+    model_part: Any = None,
+    data_part: Any = None,
+    model_label: int | None = None,
+    data_label: int | None = None,
+    **parameters: Any,
+) -> Family:
     """Every place where the model, or a part of it, occurs in the data, best first."""
     texts = _with_those_of((model, data), parameters)
-    model, data = _described(model, model_part, texts), _described(data, data_part, texts)
+    model, data = _described(model, model_part, model_label, texts), _described(data, data_part, data_label, texts)
     return family_of(_core.match(model._described, data._described, texts), copy(model), copy(data))
 
 
-def symmetry(shape: Any, *, part: Any = None, **parameters: Any) -> Family:
+def symmetry(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Any) -> Family:
     """A shape against itself: its symmetries and repeated parts, the identity left out. What each one says stands in `symmetries`."""
     texts = _with_those_of((shape,), parameters)
-    shape = _described(shape, part, texts)
+    shape = _described(shape, part, label, texts)
     found, symmetries = _core.symmetry(shape._described, texts)
     return family_of(found, copy(shape), copy(shape), symmetries)
 

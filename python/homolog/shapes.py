@@ -14,10 +14,12 @@ from homolog import _core
 from homolog.results import Points
 
 
-def arrays_of(shape: Any) -> tuple[np.ndarray, np.ndarray, str]:
-    """Vertices (n, 3), triangles (m, 3) and a name of anything that `describe` takes."""
+def arrays_of(shape: Any, label: int | None = None, most: dict[str, int] | None = None) -> tuple[np.ndarray, np.ndarray, str]:
+    """Vertices (n, 3), triangles (m, 3) and a name of anything that `describe` takes; of a file with its label, and no more than `most`."""
     if isinstance(shape, (str, bytes, os.PathLike)):
-        return _read(Path(os.fsdecode(shape)))
+        return _read(Path(os.fsdecode(shape)), label, most or {})
+    if label is not None or most:
+        raise ValueError("a label and limits go with the path of a file, but this shape is in memory already")
     if hasattr(shape, "to_mesh") and not hasattr(shape, "faces"):  # a scene of trimesh
         shape = shape.to_mesh()
     if hasattr(shape, "triangulate") and hasattr(shape, "points"):  # PyVista
@@ -43,9 +45,9 @@ def _surface_of(mesh: Any) -> Any:
         return mesh.extract_surface()
 
 
-def _read(path: Path) -> tuple[np.ndarray, np.ndarray, str]:
+def _read(path: Path, label: int | None, most: dict[str, int]) -> tuple[np.ndarray, np.ndarray, str]:
     try:
-        return *_core.read(path), path.name
+        return *_core.read(path, label, most), path.name
     except OSError as error:
         if path.exists():
             raise

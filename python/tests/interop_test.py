@@ -41,6 +41,65 @@ def test_pyvista(points):
     assert len(homolog.describe(mesh.cast_to_unstructured_grid(), **COARSE).faces) == len(faces)
 
 
+@pytest.mark.parametrize("name", ["bear.vtk", "bear.vtp", "bear.vtu"])
+@pytest.mark.parametrize("binary", [True, False])
+def test_files_of_vtk(tmp_path, points, name, binary):
+    vertices, faces = bear_arrays()
+    mesh = pyvista.PolyData(vertices, np.insert(faces, 0, 3, axis=1).ravel())
+    mesh["height"] = vertices[:, 1]
+    mesh.field_data["time"] = [1.5]
+    if name.endswith("vtu"):
+        mesh = mesh.cast_to_unstructured_grid()
+    mesh.save(tmp_path / name, binary=binary)
+    described = homolog.describe(tmp_path / name, **COARSE)
+    np.testing.assert_allclose(described.vertices, vertices, atol=1e-5 if not binary else 0)  # text has six digits
+    np.testing.assert_array_equal(described.faces, faces)
+    assert not binary or bytes_of(described.points) == points
+
+
+def test_files_of_vtk_compressed_inside_and_appended(tmp_path):
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    vertices, faces = bear_arrays()
+    mesh = pyvista.PolyData(vertices, np.insert(faces, 0, 3, axis=1).ravel())
+    for mode in ("SetDataModeToAppended", "SetDataModeToBinary"):
+        for compressor in ("SetCompressorTypeToZLib", "SetCompressorTypeToNone"):
+            for encode in (True, False):
+                writer = vtk.vtkXMLPolyDataWriter()
+                writer.SetFileName(str(tmp_path / "bear.vtp"))
+                writer.SetInputData(mesh)
+                getattr(writer, mode)()
+                getattr(writer, compressor)()
+                writer.SetEncodeAppendedData(encode)
+                writer.SetByteOrderToBigEndian()
+                assert writer.Write()
+                described = homolog.describe(tmp_path / "bear.vtp", resolution=32)
+                np.testing.assert_array_equal(described.vertices, vertices)
+                np.testing.assert_array_equal(described.faces, faces)
+
+
+def test_a_label_of_a_volume_and_limits(tmp_path):
+    voxels = np.zeros((20, 20, 20), np.uint8)
+    voxels[2:8, 2:8, 2:8], voxels[10:18, 2:8, 2:8] = 1, 2
+    path = tmp_path / "labels.nrrd"
+    head = "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 20 20 20\nencoding: raw\nspace: left-posterior-superior\nspace directions: (1,0,0) (0,1,0) (0,0,1)\n\n"
+    path.write_bytes(head.encode() + voxels.tobytes())  # the last index is the first axis of the file
+    one, two = (homolog.describe(path, label=label, resolution=32) for label in (1, 2))
+    assert np.ptp(one.vertices, axis=0)[2] < np.ptp(two.vertices, axis=0)[2]
+    assert len(homolog.describe(path, label=0, resolution=32).vertices) == len(one.vertices) + len(two.vertices)
+    with pytest.raises(OSError, match="say which one is meant"):
+        homolog.points(path)
+    with pytest.raises(OSError, match="no label 3"):
+        homolog.symmetry(path, label=3)
+    with pytest.raises(OSError, match="are more than the 100 that are read"):
+        homolog.describe(path, label=1, max_voxels=100)
+    with pytest.raises(ValueError, match="max_bytes is 0"):
+        homolog.describe(path, max_bytes=0)
+    with pytest.raises(ValueError, match="in memory already"):
+        homolog.describe(bear_arrays(), label=1)
+    with pytest.raises(ValueError, match="its label already"):
+        homolog.match(one, two, data_label=1)
+
+
 def test_quads_of_pyvista_are_divided():
     mesh = pyvista.Box()
     assert mesh.regular_faces.shape == (6, 4)

@@ -211,6 +211,9 @@ class Transfer(Program):
         self.expect_message(2, "--match is 99", "transfer", match, *points, "--match", "99", "--out", "a.csv")
         self.expect_message(3, "out: this is a directory", "transfer", "out", *points, "--out", "a.csv")
         self.expect_message(3, "bear.off: this is not a file of matches", "transfer", "bear.off", *points, "--out", "a.csv")
+        for what, file in (("--mesh", "bear.off"), ("--attributes", "bear.off")):
+            limited = ("transfer", match, what, file, "--out", "a.ply", "--max-bytes", "1000")
+            self.expect_message(3, "bytes, more than the 1000 that are read", *limited)
         self.expect_message(3, "points are read from", "transfer", match, "--points", "bear.off", "--out", "a.csv")
         self.expect_message(4, "cannot write 'none/a.csv'", "transfer", match, *points, "--out", "none/a.csv")
         self.assertFalse(os.path.exists(self.path("a.csv")))
