@@ -24,7 +24,8 @@ void run_cloud_reader(const Read& read, const std::string& bytes) {
   for (const Vec3& normal : cloud.normals) require(normal.allFinite() && !normal.isZero(0), "normals have a direction");
 }
 
-constexpr std::size_t bytes_a_point = 6 * sizeof(float), most_points = 100;
+constexpr std::size_t bytes_a_point = 6 * sizeof(float), most_points = 12;
+constexpr int least_voxels = 10;  // of the grid: one of the usual size takes the time of hundreds of files
 
 std::string octahedron(float size) {
   std::string bytes;
@@ -53,16 +54,17 @@ PointCloud cloud_of(const std::string& bytes) {
 
 }  // namespace
 
-/// The surface of a cloud; a run takes as long as hundreds of those of a reader.
+/// The surface of a cloud.
 Target cloud_surface() {
   return {"cloud_surface",
           {octahedron(1), octahedron(3).substr(0, 72) + octahedron(1e30f).substr(72)},
           [](const std::string& bytes) {
             const PointCloud cloud = cloud_of(bytes);
             if (cloud.points.empty()) return;
-            run_mesh_reader([&](const std::string&, const std::string& file) { return homolog::cloud_surface(cloud, file); }, bytes);
+            run_mesh_reader([&](const std::string&, const std::string& file) { return homolog::cloud_surface(cloud, file, least_voxels); },
+                            bytes);
           },
-          40};
+          2000};
 }
 
 Target xyz() {

@@ -1,22 +1,40 @@
 // SPDX-License-Identifier: MIT
 // One target under libFuzzer (scripts/fuzz.sh):
-//   homolog_fuzz --target=off CORPUS [libFuzzer's options]   fuzzes it, after the target's own files are put into CORPUS
+//   homolog_fuzz --target=off CORPUS [libFuzzer's options]   fuzzes it, after the target's own files are put into CORPUS; files may
+//                                                            become half as long again as the longest of these
 //   homolog_fuzz --targets                                   lists the targets
+#include <algorithm>
 #include <cstdint>
 #include <filesystem>
 #include <fstream>
 
 #include "fuzz/target.h"
+#include "homolog/base/parallel.h"
 
 namespace {
 
 homolog::fuzz::Target chosen;
+
+/// A file is too small to be shared, and libFuzzer follows one thread.
+const homolog::ThreadLimit one_thread(1);
 
 void write_seeds(const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
   for (std::size_t i = 0; i < chosen.seeds.size(); ++i) {
     std::ofstream(folder / ("seed" + std::to_string(i)), std::ios::binary) << chosen.seeds[i];
   }
+}
+
+/// libFuzzer's own default would cut off the longest of the target's files, which then are refused.
+void set_length(int& argc, char**& argv) {
+  std::size_t longest = 0;
+  for (const std::string& seed : chosen.seeds) longest = std::max(longest, seed.size());
+  static std::string option = "-max_len=" + std::to_string(longest + longest / 2 + 16);
+  static std::vector<char*> words(argv, argv + argc);
+  words.push_back(option.data());
+  words.push_back(nullptr);
+  argc = static_cast<int>(words.size()) - 1;
+  argv = words.data();
 }
 
 }  // namespace
@@ -33,6 +51,7 @@ extern "C" int LLVMFuzzerInitialize(int* argc, char*** argv) {
     std::exit(2);
   }
   write_seeds((*argv)[2]);
+  set_length(*argc, *argv);
   return 0;
 }
 

@@ -12,7 +12,7 @@ namespace homolog {
 
 /// The surface around what the points wind around, open where no point is near. Normals that all face inward are turned. There must be a
 /// point. `file` is its name for messages. Throws FileError when the points enclose nothing, their normals disagree, or a few of them lie
-/// far from all others.
-Mesh cloud_surface(PointCloud cloud, const std::string& file);
+/// far from all others. Few points are seen in a grid of `least_voxels` along the longest side.
+Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels = 64);
 
 }  // namespace homolog
