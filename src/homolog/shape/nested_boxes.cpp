@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A grid for the boxes of every size, whose cells are two to four times as wide as they, so that a box lies in three of them in the mean. Cells of
-// one number that are not the same do no harm.
+// A grid for the boxes of every size, whose cells are two to four times as wide as they, so that a box lies in three of them in the mean.
+// Cells of one number that are not the same do no harm.
 #include "homolog/shape/nested_boxes.h"
 
 #include <algorithm>

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+// Pieces of a mesh whose triangles hang together, and which of them are to be turned.
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "homolog/shape/mesh.h"
+
+namespace homolog {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+struct Component {
+  std::vector<std::uint32_t> triangles;
+  std::vector<std::vector<std::uint32_t>> rows;  // of the same by height, once something is looked for in it
+  Box box;
+  double volume = 0;
+  bool solid = false;   // closed enough for its volume to have a sign
+  bool turned = false;  // to be turned as a whole
+};
+
+inline void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
+
+/// Fills in box, volume and solid of a component whose triangles are known.
+void measure(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh);
+
+/// Turns reversed outermost solids together with everything in them, so that the cavities of a wholly reversed solid stay cavities.
+void turn_components(std::vector<Component>& components, std::vector<Triangle>& triangles, const Mesh& mesh);
+
+}  // namespace homolog
