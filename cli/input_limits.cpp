@@ -24,10 +24,7 @@ void limit_memory(std::uint64_t mebibytes) {
 
 template <class Value>
 void add_limit(CLI::App& verb, const char* name, Value& value, const char* what) {
-  verb.add_option(name, value, fmt::format("{}; default {}.", what, value))
-      ->group("Limits")
-      ->type_name("N")
-      ->check(CLI::Range(1ul, kMost));
+  verb.add_option(name, value, fmt::format("{}; default {}.", what, value))->group("Limits")->type_name("N")->check(CLI::Range(1ul, kMost));
 }
 
 }  // namespace

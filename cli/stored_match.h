@@ -13,8 +13,8 @@
 namespace homolog::cli {
 
 struct StoredMatchOptions {
-  std::string file;  ///< match.json
-  int number = 1;    ///< in the family, 1 for the best
+  std::string file;        ///< match.json
+  int number = 1;          ///< in the family, 1 for the best
   ReadLimits limits = {};  ///< of the meshes that are read beside it
 };
 

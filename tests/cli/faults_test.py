@@ -13,6 +13,7 @@ import threading
 import unittest
 
 import bear
+import fbx_files
 import mesh_files
 from program import COARSE, PROGRAM, Program, main
 
@@ -46,7 +47,7 @@ class LyingFiles(Program):
             self.refuse("lie.gltf", text.replace(old, new, 1))
         glb = mesh_files.glb(v, f)
         self.refuse("length.glb", glb[:12] + struct.pack("<I", 0xFFFFFFFF) + glb[16:])
-        fbx = mesh_files.fbx_binary(v, f)
+        fbx = fbx_files.fbx_binary(v, f)
         self.refuse("offset.fbx", fbx[:27] + struct.pack("<I", 0xFFFFFFF0) + fbx[31:])
 
     def test_a_node_that_is_its_own_child(self):

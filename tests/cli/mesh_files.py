@@ -5,12 +5,11 @@ import io
 import json
 import struct
 import zipfile
-import zlib
 
 import bear
 import cloud_files
-
-HEADER_OF_3DS, BYTES_A_CHUNK = 0x4D4D, 6
+import fbx_files
+import vtk_files
 
 
 def solid():
@@ -192,40 +191,6 @@ def parts_beside_3mf(v, f):
     return threemf(root, {"3D/Objects/a_1.model": mesh[: mesh.index("<build>")] + "<build/></model>"})
 
 
-def vtk(v, f, binary):
-    """Legacy VTK."""
-    head = f"# vtk DataFile Version 3.0\nit\n{'BINARY' if binary else 'ASCII'}\nDATASET POLYDATA\nPOINTS {len(v)} double\n".encode()
-    cells = f"\nPOLYGONS {len(f)} {4 * len(f)}\n".encode()
-    if not binary:
-        return head + lines(*("%r %r %r" % x for x in v)) + cells + lines(*("3 %d %d %d" % t for t in f))
-    return head + b"".join(struct.pack(">3d", *x) for x in v) + cells + b"".join(struct.pack(">4i", 3, *t) for t in f) + b"\n"
-
-
-def vtp(v, f, form):
-    """VTK's XML: form is ascii, binary (base64) or appended (raw, compressed)."""
-    data = [("Points", "Float64", struct.pack(f"<{3 * len(v)}d", *(c for x in v for c in x))),
-            ("connectivity", "Int64", struct.pack(f"<{3 * len(f)}q", *(i for t in f for i in t))),
-            ("offsets", "Int64", struct.pack(f"<{len(f)}q", *range(3, 3 * len(f) + 1, 3)))]  # fmt: skip
-    arrays, appended = [], b""
-    for name, kind, content in data:
-        tag = f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if name == "Points" else 1}" format="{form}"'
-        if form == "ascii":
-            numbers = struct.unpack(f"<{len(content) // 8}{'d' if kind == 'Float64' else 'q'}", content)
-            arrays.append(f"{tag}>{' '.join(map(repr, numbers))}</DataArray>")
-        elif form == "binary":
-            arrays.append(f"{tag}>{base64.b64encode(struct.pack('<I', len(content)) + content).decode()}</DataArray>")
-        else:
-            arrays.append(f'{tag} offset="{len(appended)}"/>')
-            packed = zlib.compress(content)
-            appended += struct.pack("<4I", 1, len(content), 0, len(packed)) + packed
-    compressor = ' compressor="vtkZLibDataCompressor"' if form == "appended" else ""
-    text = (
-        f'<?xml version="1.0"?>\n<VTKFile type="PolyData" version="0.1" byte_order="LittleEndian" header_type="UInt32"{compressor}>\n<PolyData>'
-        f'<Piece NumberOfPoints="{len(v)}" NumberOfPolys="{len(f)}">\n<Points>{arrays[0]}</Points>\n<Polys>{arrays[1]}{arrays[2]}</Polys></Piece></PolyData>'
-    ).encode()
-    return text + (b'<AppendedData encoding="raw">_' + appended + b"</AppendedData>" if appended else b"") + b"</VTKFile>\n"
-
-
 def quantised_glb(v, f):
     """KHR_mesh_quantization: positions are whole numbers of 16 bits, the node scales them back."""
     scene, data = gltf_parts(v, f)
@@ -264,72 +229,6 @@ def collada(v, f):
     ).encode()
 
 
-def fbx_corners(f):
-    """The last corner of a polygon is told by its complement."""
-    return [i for a, b, c in f for i in (a, b, ~c)]
-
-
-def fbx_text(v, f):
-    numbers, corners = [c for x in v for c in x], fbx_corners(f)
-    return lines("; FBX 7.4.0 project file", "FBXHeaderExtension:  {", "FBXVersion: 7400", "}", "Objects:  {",
-                 'Geometry: 1, "Geometry::solid", "Mesh" {', f"Vertices: *{len(numbers)} {{", "a: " + ",".join(map(repr, numbers)), "}",
-                 f"PolygonVertexIndex: *{len(corners)} {{", "a: " + ",".join(map(str, corners)), "}", "}",
-                 'Model: 2, "Model::solid", "Mesh" {', "Version: 232", "}", "}",
-                 "Connections:  {", 'C: "OO",2,0', 'C: "OO",1,2', "}")  # fmt: skip
-
-
-def int32(value):
-    return b"I" + struct.pack("<i", value)
-
-
-def fbx_property(value):
-    if isinstance(value, bytes):
-        return value
-    if isinstance(value, str):
-        return b"S" + struct.pack("<I", len(value)) + value.encode()
-    if isinstance(value, list):
-        kind, code = ("d", "d") if isinstance(value[0], float) else ("i", "i")
-        return kind.encode() + struct.pack("<III", len(value), 0, struct.calcsize(code) * len(value)) + struct.pack(f"<{len(value)}{code}", *value)
-    return b"L" + struct.pack("<q", value)
-
-
-def fbx_node(start, name, values, *children):
-    """A node that begins at byte `start`; children are (name, values, *children). It tells where it ends."""
-    properties = b"".join(map(fbx_property, values))
-    body = b""
-    head = 13 + len(name) + len(properties)
-    for child in children:
-        body += fbx_node(start + head + len(body), *child)
-    if children:
-        body += bytes(13)
-    return struct.pack("<IIIB", start + head + len(body), len(values), len(properties), len(name)) + name.encode() + properties + body
-
-
-def fbx_binary(v, f):
-    data = b"Kaydara FBX Binary  \0\x1a\0" + struct.pack("<I", 7400)
-    numbers = [float(c) for x in v for c in x]
-    geometry = ("Geometry", [1, "solid\0\1Geometry", "Mesh"], ("Vertices", [numbers]), ("PolygonVertexIndex", [fbx_corners(f)]))
-    model = ("Model", [2, "solid\0\1Model", "Mesh"], ("Version", [int32(232)]))
-    for node in (
-        ("FBXHeaderExtension", [], ("FBXVersion", [int32(7400)])),
-        ("Objects", [], geometry, model),
-        ("Connections", [], ("C", ["OO", 2, 0]), ("C", ["OO", 1, 2])),
-    ):
-        data += fbx_node(len(data), *node)
-    return data + bytes(13) + bytes(160)
-
-
-def chunk_of_3ds(kind, body):
-    return struct.pack("<HI", kind, BYTES_A_CHUNK + len(body)) + body
-
-
-def threeds(v, f):
-    vertices = chunk_of_3ds(0x4110, struct.pack("<H", len(v)) + b"".join(struct.pack("<3f", *x) for x in v))
-    faces = chunk_of_3ds(0x4120, struct.pack("<H", len(f)) + b"".join(struct.pack("<4H", *t, 7) for t in f))
-    mesh = chunk_of_3ds(0x4000, b"solid\0" + chunk_of_3ds(0x4100, vertices + faces))
-    return chunk_of_3ds(HEADER_OF_3DS, chunk_of_3ds(0x0002, struct.pack("<I", 3)) + chunk_of_3ds(0x3D3D, mesh))
-
-
 def all_files():
     """Contents by file name; some names stand for another way to write the same format."""
     v, f = solid()
@@ -346,16 +245,16 @@ def all_files():
         "quantised.glb": quantised_glb(v, f),
         "solid.3mf": threemf(model_of_3mf(v, f)),
         "parts.3mf": parts_beside_3mf(v, f),
-        "text.vtk": vtk(v, f, False),
-        "binary.vtk": vtk(v, f, True),
-        "text.vtp": vtp(v, f, "ascii"),
-        "base64.vtp": vtp(v, f, "binary"),
-        "compressed.vtp": vtp(v, f, "appended"),
+        "text.vtk": vtk_files.vtk(v, f, False),
+        "binary.vtk": vtk_files.vtk(v, f, True),
+        "text.vtp": vtk_files.vtp(v, f, "ascii"),
+        "base64.vtp": vtk_files.vtp(v, f, "binary"),
+        "compressed.vtp": vtk_files.vtp(v, f, "appended"),
         "solid.ac": ac3d(v, f),
         "solid.dae": collada(v, f),
-        "text.fbx": fbx_text(v, f),
-        "binary.fbx": fbx_binary(v, f),
-        "solid.3ds": threeds(v, f),
+        "text.fbx": fbx_files.fbx_text(v, f),
+        "binary.fbx": fbx_files.fbx_binary(v, f),
+        "solid.3ds": fbx_files.threeds(v, f),
         "cloud.xyz": cloud_files.xyz(),
         "cloud.ply": cloud_files.ply("ascii"),
         "binary_cloud.ply": cloud_files.ply("binary_little_endian"),

@@ -12,7 +12,9 @@ import sys
 import tempfile
 
 import bear
+import fbx_files
 import mesh_files
+import vtk_files
 
 POINTS = None  # instead of words: the points of the plain bear
 
@@ -58,8 +60,9 @@ def names(v, f):
     yield "stl text inside.ply", mesh_files.stl_text(v, f), POINTS
     yield "ply inside.stl", mesh_files.ply(v, f, "binary_little_endian"), POINTS
     yield "no ending", bear.off(v, f).encode(), POINTS
-    yield "glb inside.obj", mesh_files.glb(v, f), POINTS
-    yield "fbx inside.obj", mesh_files.fbx_binary(v, f), "rename it to end in .fbx"
+    scene, data = mesh_files.gltf_parts(v, f)
+    yield "glb inside.obj", mesh_files.glb_of({**scene, "nodes": [{"mesh": 0}]}, data), POINTS
+    yield "fbx inside.obj", fbx_files.fbx_binary(v, f), "rename it to end in .fbx"
     yield "collada inside.xml", mesh_files.collada(v, f), "rename it to end in .dae"
     yield "mesh.obj.gz", gzip.compress(obj(v, f), mtime=0), "unpack it first"
     yield "mesh.zip", mesh_files.zipped({"mesh.obj": obj(v, f)}), "unpack it first"
@@ -124,23 +127,23 @@ def gltfs(v, f):
 
 
 def vtks(v, f):
-    yield "text.vtk", mesh_files.vtk(v, f, False), POINTS
-    yield "binary.vtk", mesh_files.vtk(v, f, True), POINTS
+    yield "text.vtk", vtk_files.vtk(v, f, False), POINTS
+    yield "binary.vtk", vtk_files.vtk(v, f, True), POINTS
     yield "lines.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 2 float\n0 0 0 1 1 1\nLINES 1 3\n2 0 1\n", "no triangles"
     tetrahedron = b"0 0 0 1 0 0 0 1 0 0 0 1\nCELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n10\n"
     yield "solid cells.vtk", b"# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n" + tetrahedron, "extract their surface"
-    yield "text.vtp", mesh_files.vtp(v, f, "ascii"), POINTS
-    yield "base64.vtp", mesh_files.vtp(v, f, "binary"), POINTS
-    yield "compressed.vtp", mesh_files.vtp(v, f, "appended"), POINTS
-    yield "lz4.vtp", mesh_files.vtp(v, f, "appended").replace(b"vtkZLib", b"vtkLZ4"), "save it with zlib"
+    yield "text.vtp", vtk_files.vtp(v, f, "ascii"), POINTS
+    yield "base64.vtp", vtk_files.vtp(v, f, "binary"), POINTS
+    yield "compressed.vtp", vtk_files.vtp(v, f, "appended"), POINTS
+    yield "lz4.vtp", vtk_files.vtp(v, f, "appended").replace(b"vtkZLib", b"vtkLZ4"), "save it with zlib"
 
 
 def others(v, f):
     yield "moved.3mf", mesh_files.threemf(mesh_files.model_of_3mf([(x - 5, y, z) for x, y, z in v], f).replace('objectid="1"/', 'objectid="1" transform="1 0 0 0 1 0 0 0 1 5 0 0"/').replace("millimeter", "inch")), POINTS  # fmt: skip
     yield "parts beside.3mf", mesh_files.parts_beside_3mf(v, f), POINTS
     yield "plain.ac", mesh_files.ac3d(v, f), POINTS
-    yield "text.fbx", mesh_files.fbx_text(v, f), POINTS
-    yield "binary.fbx", mesh_files.fbx_binary(v, f), POINTS
+    yield "text.fbx", fbx_files.fbx_text(v, f), POINTS
+    yield "binary.fbx", fbx_files.fbx_binary(v, f), POINTS
     yield "z up.dae", mesh_files.collada(v, f).replace(b"Y_UP", b"Z_UP").replace(b"1 2 3</tr", b"0 0 0</tr"), POINTS
 
 
