@@ -78,7 +78,8 @@ function writeTitle() {
   document.title = `${names.join(' \u2194 ')} \u00b7 homolog`;
   byId('title').append(...names.flatMap((name, i) => [...(i ? [make('span', { class: 'arrow' }, '\u2194')] : []), make('span', {}, name)]));
   const roles = report.shapes.length > 1 ? ['model', 'data'] : ['shape'];
-  byId('summary').textContent = report.shapes.map((shape, i) => `${roles[i]}: ${shape.points.length} salient points`).join(' \u00b7 ');
+  const found = ({ points }) => points.filter((point) => !point.followed).length;
+  byId('summary').textContent = report.shapes.map((shape, i) => `${roles[i]}: ${found(shape)} salient points`).join(' \u00b7 ');
   byId('captions').append(...report.shapes.map((shape, i) => make('div', {}, make('b', {}, roles[i]), ` ${shape.name}`, drawnNote(shape.mesh))));
 }
 
