@@ -85,7 +85,8 @@ double nearest_partners(const Facets& from, const Facets& to, double facing, std
   const auto square = static_cast<float>(facing * facing);
   double sum = 0;
   partner.resize(static_cast<std::size_t>(from.places.rows()));
-  Eigen::ArrayXf cost(to.places.rows());
+  std::vector<float> costs(static_cast<std::size_t>(to.places.rows()));
+  Eigen::Map<Eigen::ArrayXf> cost(costs.data(), to.places.rows());  // of an Array, which could be resized, g++ 12 warns falsely
   for (Eigen::Index i = 0; i < from.places.rows(); ++i) {
     const auto x = from.places.row(i), n = from.normals.row(i);
     cost = (to.places.col(0) - x[0]).square() + (to.places.col(1) - x[1]).square() + (to.places.col(2) - x[2]).square() +
