@@ -8,6 +8,7 @@
 
 #include "exit_codes.h"
 #include "homolog/base/parallel.h"
+#include "homolog/outputs/doubt.h"
 #include "homolog/outputs/landmarks.h"
 #include "homolog/outputs/match_json.h"
 #include "homolog/outputs/parts.h"
@@ -88,6 +89,7 @@ void write_results(const ResultFolder& folder, const DescribedFile& model, const
 std::string printed(const Family& family, const Results& results, const CommonOptions& options, const ResultFolder& folder) {
   if (options.json) return results.json;
   std::string text = family_table(family);
+  if (const std::string doubt = doubt_sentence(family); !doubt.empty()) text += doubt + "\n";
   if (results.symmetries) text += symmetries_text(*results.symmetries);
   if (folder.wanted()) text += fmt::format("The report is {}\n", (folder / "report.html").string());
   return text;

@@ -28,7 +28,10 @@ constexpr const char* kExamples = R"(Examples:
   # Mirror images are not wanted; the result as JSON
   homolog match bear.off bear_bis.off --mirror forbid --json
   # On a coarser grid, in less time
-  homolog match bear.off bear_bis.off --resolution 96)";
+  homolog match bear.off bear_bis.off --resolution 96
+
+The confidence of a match is the probability that it is right. When none reaches one half, a sentence under the table says so; the exit code is
+0 all the same. bending and chamfer are 0 for an exact copy; the last two columns tell how much of each surface the match explains.)";
 
 int run_match(const MatchOptions& options) {
   if (options.self) {

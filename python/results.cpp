@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "arrays.h"
+#include "homolog/outputs/doubt.h"
 #include "homolog/outputs/symmetry_text.h"
 #include "interruptible.h"
 
@@ -155,7 +156,7 @@ nb::tuple family_fields(const Family& family, const std::vector<MatchParts>& par
   for (std::size_t i = 0; i < family.matches.size(); ++i) matches.append(match_fields(family.matches[i], parts[i], maps[i]));
   nb::dict counts;
   for (const auto& [stage, count] : family.counts.stages) counts[stage.c_str()] = count;
-  return nb::make_tuple(matches, counts, points_fields(family.followed));
+  return nb::make_tuple(matches, counts, points_fields(family.followed), doubt_sentence(family));
 }
 
 nb::list symmetries_fields(const std::vector<Symmetry>& symmetries) {

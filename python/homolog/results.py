@@ -141,6 +141,7 @@ class Family(Sequence):
     model: Shape
     data: Shape
     followed: Points  #: places in the data to which matches follow a point of the model; their numbers go on those of data.points
+    doubt: str  #: a sentence when no match is likely to be right, else empty
     symmetries: tuple[Symmetry, ...] = ()  #: of homolog.symmetry: what each match says, in their order; empty of homolog.match
 
     def __len__(self) -> int:
@@ -195,7 +196,8 @@ class Family(Sequence):
         widths = [max(map(len, column)) for column in zip(*rows)]
         table = "\n".join("  ".join(cell.rjust(width) for cell, width in zip(row, widths)) for row in rows)
         said = "".join(f"\n{rank:4}  {symmetry.sentence}" for rank, symmetry in enumerate(self.symmetries, 1))
-        return table + said if self.matches else f"nothing found; {self._counted()}"
+        doubt = f"\n{self.doubt}" if self.doubt else ""
+        return table + doubt + said if self.matches else f"nothing found; {self._counted()}"
 
     def _counted(self) -> str:
         return ", ".join(f"{stage} {count}" for stage, count in self.counts.items())
@@ -208,11 +210,12 @@ class Family(Sequence):
             return f"<p>{self!r}</p>"
         said = "".join(f"<li>{symmetry.sentence}</li>" for symmetry in self.symmetries)
         table = f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
-        return f"{table}<ol>{said}</ol>" if said else table
+        doubt = f"<p>{self.doubt}</p>" if self.doubt else ""
+        return table + doubt + (f"<ol>{said}</ol>" if said else "")
 
 
-def family_of(found: tuple[list[dict], dict[str, int], dict], model: Shape, data: Shape, symmetries: Sequence[dict] = ()) -> Family:
+def family_of(found: tuple[list[dict], dict[str, int], dict, str], model: Shape, data: Shape, symmetries: Sequence[dict] = ()) -> Family:
     """From what _core returns."""
-    matches, counts, followed = found
+    matches, counts, followed, doubt = found
     made = (Match(**{**fields, "data_from_model": ThinPlateSpline(**fields["data_from_model"])}) for fields in matches)
-    return Family(tuple(made), counts, model, data, Points(**followed), tuple(Symmetry(**fields) for fields in symmetries))
+    return Family(tuple(made), counts, model, data, Points(**followed), doubt, tuple(Symmetry(**fields) for fields in symmetries))

@@ -4,6 +4,7 @@ import pickle
 import signal
 import time
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 
 import homolog
 import numpy as np
@@ -53,6 +54,13 @@ def test_a_described_shape_is_reused_and_keeps_its_parameters(bear, family):
     assert bytes_of(again) == bytes_of(family)
     with pytest.raises(ValueError, match="described with resolution 64"):
         homolog.match(model, model, resolution=80)
+
+
+def test_doubt_stands_below_the_table(family):
+    assert family.doubt == "" and "likely" not in repr(family) + family._repr_html_()
+    doubtful = replace(family, doubt="No match here is likely.")
+    assert repr(doubtful) == f"{family!r}\nNo match here is likely."
+    assert doubtful._repr_html_() == f"{family._repr_html_()}<p>No match here is likely.</p>"
 
 
 def test_results_pickle_and_their_shapes_can_be_matched_again(bear, family):

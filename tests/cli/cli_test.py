@@ -223,6 +223,11 @@ class Results(Program):
         self.assertRegex(done.stderr, r"\Ahomolog: warning: open.off is open \([0-9.e-]+ % of its edges, [0-9]+ pieces?\); [0-9.e-]+ % of the inside was guessed\n\Z")
         self.assertEqual(self.run_it("points", "open.off", "--quiet", *COARSE).stderr, "")
 
+    def test_a_doubtful_family_says_so(self):
+        done = self.run_it("match", "bear.off", "plate.off", *COARSE)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertRegex(done.stdout, r"\nNo match here is likely to be right: the highest confidence is 0\.[0-4][0-9]\.\n\Z")
+
     def test_nothing_found_still_writes_files(self):
         done = self.run_it("points", "plate.off", "--threshold", "1", "--out", "points", *COARSE)
         self.assertEqual((done.returncode, done.stderr), (1, "homolog: nothing found: the shape has no salient point\n"))

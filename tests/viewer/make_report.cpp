@@ -151,6 +151,9 @@ int main(int argc, char** argv) {
   const MeshedShape left{model.mesh, a}, right{data.mesh, b};
   const std::vector<MatchParts> parts = covered_parts(left, right, family.matches);
   write_file(folder / "match.html", match_report(left, right, family, parts, {}));
+  Family doubtful = family;
+  for (Match& match : doubtful.matches) match.confidence *= 0.4;
+  write_file(folder / "doubtful.html", match_report(left, right, doubtful, parts, {}));
   write_file(folder / "empty.html", match_report(left, right, nothing, {}, {}));
   write_file(folder / "points.html", points_report(left, {}));
   write_file(folder / "hostile.html", match_report({model.mesh, hostile}, right, family, parts, {}));

@@ -191,6 +191,15 @@ test('two shapes have no mirror plane to show', async (t) => {
   done();
 });
 
+test('that no match is likely is said above the list, and only then', async (t) => {
+  const doubtful = await open(t, 'doubtful.html');
+  assert.match(await doubtful.page.locator('#family').innerText(), /No match here is likely to be right: the highest confidence is 0\.39\./);
+  doubtful.done();
+  const match = await open(t, 'match.html');
+  assert.equal(await match.page.locator('.doubt').count(), 0);
+  match.done();
+});
+
 test('a hostile file name stays text', async (t) => {
   const { page, done } = await open(t, 'hostile.html');
   assert.match(await page.locator('#title').innerText(), /<\/script><script>alert\(1\)<\/script><img src=x onerror=alert\(2\)>\.off/);

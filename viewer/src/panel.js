@@ -45,9 +45,10 @@ function matchEntry(match, index, app) {
 }
 
 function familyList(app) {
-  const { matches } = app.report;
+  const { matches, doubt } = app.report;
   return make('section', { id: 'family', 'aria-label': 'Matches' },
     make('h2', {}, matches.length === 1 ? 'One match' : `${matches.length} matches`, make('small', {}, 'best first')),
+    doubt ? [make('p', { class: 'doubt' }, doubt)] : [],
     make('div', { class: 'matches' }, matches.map((match, index) => matchEntry(match, index, app))));
 }
 

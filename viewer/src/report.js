@@ -1,4 +1,5 @@
-// Reads the data of the page: the result as in match.json or points.json, the meshes, the parts that matches cover, and, of a shape
+// Reads the data of the page: the result as in match.json or points.json, a sentence when no match
+// is likely, the meshes, the parts that matches cover, and, of a shape
 // against itself, what its matches say as in symmetry.json.
 // All positions leave here relative to the centre of their own shape, so that single precision is enough to draw them.
 
@@ -27,13 +28,14 @@ function readShape(side, meshData, found) {
 const readWeights = (base64) => Float32Array.from(new Uint8Array(bytes(base64)), (byte) => byte / 255);
 
 export function readReport(text) {
-  const { result, meshes, parts, itself } = JSON.parse(text);
+  const { result, doubt, meshes, parts, itself } = JSON.parse(text);
   const sides = result.shape ? [result.shape] : [result.model, result.data];
   return {
     program: result.program,
     parameters: result.parameters,
     counts: result.counts ?? {},
     matches: result.matches ?? [],
+    doubt,
     symmetries: itself.symmetries,
     parts: parts.map((sides) => sides.map(readWeights)),
     shapes: sides.map((side, i) => readShape(side, meshes[i], i ? result.counts['data points'] : side.points.length)),

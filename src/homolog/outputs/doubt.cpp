@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+#include "homolog/outputs/doubt.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace homolog {
+
+std::string doubt_sentence(const Family& family) {
+  const auto best = std::max_element(family.matches.begin(), family.matches.end(),
+                                     [](const Match& a, const Match& b) { return a.confidence < b.confidence; });
+  if (best == family.matches.end() || best->confidence >= 0.5) return "";
+  return fmt::format("No match here is likely to be right: the highest confidence is {:.2f}.", best->confidence);
+}
+
+}  // namespace homolog
