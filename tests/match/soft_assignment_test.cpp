@@ -21,11 +21,27 @@ std::vector<SurfaceSample> scattered(int count, unsigned seed) {
   return samples;
 }
 
-Pull plain(const std::vector<SurfaceSample>& skin, const std::vector<SurfaceSample>& data, double reach) {
+std::vector<LimbPlace> scattered_on_limbs(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::vector<LimbPlace> places;
+  for (int i = 0; i < count; ++i) {
+    const Vec3 drawn = synthetic::in_cube(random);
+    places.push_back({std::floor(static_cast<float>(drawn.x() * 3)), static_cast<float>(std::max(0.0, 4 * drawn.y() - 1))});
+  }
+  return places;
+}
+
+double square_away(const LimbPlace& a, const LimbPlace& b) {
+  return a.limb == b.limb ? std::pow(a.out - b.out, 2) : std::pow(a.out, 2) + std::pow(b.out, 2);
+}
+
+Pull plain(const std::vector<SurfaceSample>& skin, const std::vector<SurfaceSample>& data, double reach,
+           const std::vector<LimbPlace>& skin_limbs, const std::vector<LimbPlace>& data_limbs) {
   Eigen::MatrixXd w(skin.size(), data.size());
   for (std::size_t i = 0; i < skin.size(); ++i) {
     for (std::size_t k = 0; k < data.size(); ++k) {
-      const double nearness = std::exp(-0.5 * (skin[i].position - data[k].position).squaredNorm() / (reach * reach)) - std::exp(-12);
+      const double square = (skin[i].position - data[k].position).squaredNorm() / (reach * reach);
+      const double nearness = std::exp(-0.5 * (square + square_away(skin_limbs[i], data_limbs[k]))) - std::exp(-12);
       const double agreement = skin[i].normal.dot(data[k].normal);
       w(i, k) = nearness > 0 && agreement > 0 ? nearness * agreement * agreement : 0;
     }
@@ -46,15 +62,21 @@ Pull plain(const std::vector<SurfaceSample>& skin, const std::vector<SurfaceSamp
   return pull;
 }
 
+void expect_same(const Pull& fast, const Pull& clear) {
+  for (std::size_t i = 0; i < clear.masses.size(); ++i) {
+    EXPECT_NEAR(fast.masses[i], clear.masses[i], 1e-4 * (clear.masses[i] + 1e-3));
+    if (clear.masses[i] > 1e-6) EXPECT_LT((fast.places[i] - clear.places[i]).norm(), 1e-4);
+  }
+}
+
 TEST(SoftAssignment, IsThePlainFormula) {
   for (const int count : {1, 16, 100, 333}) {
     const auto skin = scattered(60, 1), data = scattered(count, 2);
     for (const double reach : {0.02, 0.1, 0.5}) {
-      const Pull fast = assign_softly(skin, make_blocks(data), reach), clear = plain(skin, data, reach);
-      for (std::size_t i = 0; i < skin.size(); ++i) {
-        EXPECT_NEAR(fast.masses[i], clear.masses[i], 1e-4 * (clear.masses[i] + 1e-3)) << count << ' ' << reach;
-        if (clear.masses[i] > 1e-6) EXPECT_LT((fast.places[i] - clear.places[i]).norm(), 1e-4);
-      }
+      const std::vector<LimbPlace> trunk(60), data_trunk(count);
+      expect_same(assign_softly(skin, make_blocks(data), reach), plain(skin, data, reach, trunk, data_trunk));
+      const auto limbs = scattered_on_limbs(60, 5), data_limbs = scattered_on_limbs(count, 6);
+      expect_same(assign_softly(skin, make_blocks(data, data_limbs), reach, limbs), plain(skin, data, reach, limbs, data_limbs));
     }
   }
 }

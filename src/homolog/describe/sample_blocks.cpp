@@ -15,10 +15,10 @@ namespace {
 using Order = std::vector<int>;
 
 SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, const std::vector<SurfaceSample>& samples,
-                       const Vec3& middle, float far_away) {
+                       const std::vector<LimbPlace>& limb_places, const Vec3& middle, float far_away) {
   SampleBlock block;
   block.x = block.y = block.z = BlockFloats::Constant(far_away);
-  block.nx = block.ny = block.nz = BlockFloats::Zero();
+  block.nx = block.ny = block.nz = block.limb = block.out = BlockFloats::Zero();
   block.sample.fill(-1);
   block.centre.setZero();
   const auto count = static_cast<int>(last - first);
@@ -27,6 +27,7 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
     const Eigen::Vector3f place = (sample.position - middle).cast<float>(), normal = sample.normal.cast<float>();
     block.x[k] = place.x(), block.y[k] = place.y(), block.z[k] = place.z();
     block.nx[k] = normal.x(), block.ny[k] = normal.y(), block.nz[k] = normal.z();
+    if (!limb_places.empty()) block.limb[k] = limb_places[first[k]].limb, block.out[k] = limb_places[first[k]].out;
     block.centre += place / static_cast<float>(count);
   }
   block.radius = std::sqrt(squared_distances(block, block.centre).head(count).maxCoeff());
@@ -63,7 +64,7 @@ HOMOLOG_WIDEST_CLONE float find_squares(const SampleBlock& block, const Eigen::V
 
 }  // namespace
 
-SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples) {
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places) {
   SampleBlocks blocks;
   if (samples.empty()) return blocks;
   const std::vector<Vec3> places = positions_of(samples);
@@ -76,7 +77,7 @@ SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples) {
   split(order.begin(), order.end(), places, borders);
   const auto far_away = static_cast<float>(1e6 * farthest);
   for (std::size_t b = 1; b < borders.size(); ++b) {
-    blocks.blocks.push_back(fill_block(borders[b - 1], borders[b], samples, blocks.middle, far_away));
+    blocks.blocks.push_back(fill_block(borders[b - 1], borders[b], samples, limb_places, blocks.middle, far_away));
   }
   return blocks;
 }

@@ -13,9 +13,15 @@ namespace homolog {
 constexpr int block_size = 16;
 using BlockFloats = Eigen::Array<float, block_size, 1>;
 
+/// Which limb a place belongs to and how far out it lies on it, 0 on the trunk, in a unit of the one who tells it.
+struct LimbPlace {
+  float limb = 0, out = 0;
+};
+
 struct SampleBlock {
   BlockFloats x, y, z;     ///< places, relative to SampleBlocks::middle; far away where the block is not full
   BlockFloats nx, ny, nz;  ///< normals
+  BlockFloats limb, out;   ///< limb places
   std::array<int, block_size> sample;
   Eigen::Vector3f centre;
   float radius = 0;  ///< of a ball about `centre` that holds all places
@@ -28,7 +34,8 @@ struct SampleBlocks {
 };
 
 /// Halves the samples across their longest side until a block holds each piece.
-SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples);
+/// Samples without limb places lie on the trunk.
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places = {});
 
 /// Squared distances from a place, relative to the middle, to the samples of a block.
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place);

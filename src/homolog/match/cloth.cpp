@@ -16,9 +16,9 @@ constexpr int shape_steps = 2;  // rotations and places in turn, per assignment
 
 // Soft assignment draws every skin inwards from its ends and edges, even one that lies where it should. What it would do to the skin laid
 // on itself is given back, as in the Sinkhorn divergence (Feydy et al. 2019).
-Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach) {
-  Pull pull = assign_softly(skin, data, reach);
-  const Pull own = assign_softly(skin, make_blocks(skin), reach);
+Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach, const std::vector<LimbPlace>& limbs) {
+  Pull pull = assign_softly(skin, data, reach, limbs);
+  const Pull own = assign_softly(skin, make_blocks(skin, limbs), reach, limbs);
   for (std::size_t i = 0; i < skin.size(); ++i) pull.places[i] += skin[i].position - own.places[i];
   return pull;
 }
@@ -106,8 +106,8 @@ std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model) {
 }
 
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
-                const std::vector<Anchor>& anchors, const ClothSchedule& schedule) {
-  const SampleBlocks samples = make_blocks(data);
+                const std::vector<Anchor>& anchors, const ClothSchedule& schedule, const LimbPlaces& limbs) {
+  const SampleBlocks samples = make_blocks(data, limbs.data);
   const Edges edges = edges_of(model);
   const Sparse laplacian = laplacian_of(edges);
   Sparse system = laplacian;
@@ -116,7 +116,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
   for (int step = 0; step < schedule.iterations; ++step) {
     const double reach = data_diagonal * at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations);
     const double stiffness = at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations);
-    const Pull pull = unbiased_pull(mapped_skin(cloth, model), samples, reach);
+    const Pull pull = unbiased_pull(mapped_skin(cloth, model), samples, reach, limbs.model);
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass;
     solver.factorize(system);

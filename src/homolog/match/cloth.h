@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "homolog/describe/body.h"
+#include "homolog/describe/sample_blocks.h"
 #include "homolog/match/thin_plate_spline.h"
 
 namespace homolog {
@@ -25,6 +26,11 @@ struct Cloth {
 struct Anchor {
   std::size_t node;
   Vec3 place;
+};
+
+/// Limb places of the model's skin and of the data's samples; both empty where limbs do not count.
+struct LimbPlaces {
+  std::vector<LimbPlace> model, data;
 };
 
 /// From wide to narrow and from stiff to soft, in geometric steps; lengths in data diagonals.
@@ -46,8 +52,8 @@ Cloth lay_cloth(const Body& model, std::vector<Vec3> places, const Similarity& s
 /// The body's surface samples where the cloth lays them.
 std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model);
 
-/// Draws the cloth on to the data's surface samples.
+/// Draws the cloth on to the data's surface samples, along the limbs if their places are told.
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
-                const std::vector<Anchor>& anchors, const ClothSchedule& schedule);
+                const std::vector<Anchor>& anchors, const ClothSchedule& schedule, const LimbPlaces& limbs = {});
 
 }  // namespace homolog

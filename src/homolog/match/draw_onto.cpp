@@ -28,13 +28,20 @@ std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<Su
   return near;
 }
 
+LimbPlaces limb_places_of(const EndsTogether& ends, const Shape& model, const Shape& data, const std::vector<SurfaceSample>& samples) {
+  if (ends.model.empty()) return {};
+  const auto skin = model.surface.begin() + static_cast<std::ptrdiff_t>(model.body.surface_count);
+  return {limb_places({model.surface.begin(), skin}, model, ends.model), limb_places(samples, data, ends.data)};
+}
+
 }  // namespace
 
 void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const CorrespondenceSet& pairs, const ClothSchedule& schedule,
-               std::size_t most) {
+               std::size_t most, const EndsTogether& ends) {
   const double extent = extent_of(cloth, model, data);
   const std::vector<SurfaceSample> near = samples_near(cloth, data.surface, near_share * extent, most);
-  if (!near.empty()) draw_cloth(cloth, model.body, near, extent, anchors_of(pairs, model.body), schedule);
+  if (near.empty()) return;
+  draw_cloth(cloth, model.body, near, extent, anchors_of(pairs, model.body), schedule, limb_places_of(ends, model, data, near));
 }
 
 }  // namespace homolog

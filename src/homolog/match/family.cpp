@@ -77,7 +77,7 @@ bool same_part(const Refined& match, const Refined& other, const Shape& model, c
 std::vector<Refined> without_lagging(std::vector<Refined> all, double most_behind, const Shape& model, const Shape& data, Mirror mirror) {
   const std::size_t count = all.size();
   return distinct(std::move(all), count, [&](const Refined& candidate, const Refined& kept) {
-    return rank_merit(kept) - rank_merit(candidate) > most_behind && allowed(kept.cloth.chirality, mirror) &&
+    return merit_of(kept.evidence) - merit_of(candidate.evidence) > most_behind && allowed(kept.cloth.chirality, mirror) &&
            same_part(candidate, kept, model, data);
   });
 }

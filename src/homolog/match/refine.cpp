@@ -8,6 +8,7 @@
 #include "homolog/match/evidence.h"
 #include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
+#include "homolog/match/limbs.h"
 #include "homolog/match/trusted_pairs.h"
 #include "homolog/match/way_back.h"
 
@@ -16,6 +17,7 @@ namespace {
 
 constexpr ClothSchedule first_draw{first_steps, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
+constexpr ClothSchedule limb_draw{10, 0.08, 0.02, 0.7, 0.2};
 constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
@@ -48,6 +50,27 @@ void weigh_again(Refined& refined, const Shape& model, const Shape& data, Descri
   for (const Correspondence& c : guided_pairs(refined.cloth, model, data, kind, {})) refined.evidence.support += c.confidence;
 }
 
+// The last draw, with the pairs that the cloth explains.
+void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
+  draw_onto(refined.cloth, model, data, refined.pairs, last_draw, last_data_samples);
+  weigh_again(refined, model, data, kind);
+}
+
+// How well a cloth lies, of several for the same match.
+double fit_of(const Evidence& evidence) { return evidence.model_reached - evidence.thickness_changed - evidence.ends_missed; }
+
+// Of the cloth as it is and drawn along the limbs the one that fits better stays.
+void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  const EndsTogether ends = ends_together(refined.cloth, model, data);
+  Refined along = refined;
+  settle(refined, model, data, kind);
+  if (ends.model.empty()) return;
+  draw_onto(along.cloth, model, data, {}, limb_draw, data_samples, ends);
+  settle(along, model, data, kind);
+  if (fit_of(along.evidence) > fit_of(refined.evidence)) refined = std::move(along);
+}
+
 }  // namespace
 
 Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
@@ -62,9 +85,7 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
     draw_onto(refined.cloth, model, data, refined.pairs, next_draw, data_samples);
   }
-  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
-  draw_onto(refined.cloth, model, data, refined.pairs, last_draw, last_data_samples);
-  weigh_again(refined, model, data, kind);
+  settle_with_limbs(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
   rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);

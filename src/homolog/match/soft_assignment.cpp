@@ -27,6 +27,7 @@ constexpr std::size_t lanes = 8;       // samples at once
 // A place of the skin as the blocks see it.
 struct Place {
   Eigen::Vector3f y, n;
+  LimbPlace on;
 };
 
 // Which blocks are near every place, place after place, and sixteen weights for each.
@@ -54,7 +55,9 @@ HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleB
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const EightFloats x = eight(block.x.data() + k) - place.y.x(), y = eight(block.y.data() + k) - place.y.y(),
                         z = eight(block.z.data() + k) - place.y.z();
-      EightFloats nearness = -inverse * (x * x + y * y + z * z);
+      const EightFloats out = eight(block.out.data() + k), both = out * place.on.out;
+      const EightFloats away = out * out + place.on.out * place.on.out - 2 * (eight(block.limb.data() + k) == place.on.limb ? both : zero);
+      EightFloats nearness = -inverse * (x * x + y * y + z * z) - 0.5f * away;
       exponentiate(nearness);
       nearness -= nothing;
       const EightFloats agreement =
@@ -95,14 +98,16 @@ Eigen::ArrayXf half_over(const Eigen::ArrayXf& sums) { return 0.5f / (sums + out
 
 }  // namespace
 
-Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach) {
+Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach,
+                   const std::vector<LimbPlace>& limb_places) {
   const auto inverse = static_cast<float>(0.5 / (reach * reach));
   const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
   std::vector<Place> places;
   Weights weights;
   Eigen::ArrayXf place_sums(skin.size()), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    places.push_back({(skin[i].position - data.middle).cast<float>(), skin[i].normal.cast<float>()});
+    places.push_back(
+        {(skin[i].position - data.middle).cast<float>(), skin[i].normal.cast<float>(), limb_places.empty() ? LimbPlace{} : limb_places[i]});
     add_near_blocks(places[i], data, limit, weights);
     BlockFloats sums = BlockFloats::Zero();
     weigh(places[i], i, data.blocks.data(), inverse, nothing, weights, sample_sums.data(), sums.data());

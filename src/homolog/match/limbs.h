@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Beyond the paper: a cloth is drawn to what lies near, so a limb laid too short stays too short, with its tip beside the data's skin.
+// Where ends of both bodies belong together, each place on a limb is drawn to the places as far out on the data's.
+#pragma once
+
+#include <vector>
+
+#include "homolog/describe/shape.h"
+#include "homolog/match/cloth.h"
+
+namespace homolog {
+
+/// Ends of the model and of the data, pair by pair.
+struct EndsTogether {
+  std::vector<int> model, data;
+};
+
+/// Those that are each other's nearest where the cloth lies; none if fewer than three.
+EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& data);
+
+/// Where samples of a shape's skin lie on the limbs that end in the chosen ones of its ends, which number the limbs. Shares of the way in
+/// to a limb's root are compared, so that a longer limb is longer evenly.
+std::vector<LimbPlace> limb_places(const std::vector<SurfaceSample>& samples, const Shape& shape, const std::vector<int>& chosen);
+
+}  // namespace homolog
