@@ -14,6 +14,7 @@
 #include "homolog/match/end_starts.h"
 #include "homolog/match/family.h"
 #include "homolog/match/growth.h"
+#include "homolog/match/region_starts.h"
 #include "homolog/match/seeds.h"
 #include "homolog/match/verify.h"
 #include "homolog/salient/direction.h"
@@ -30,6 +31,7 @@ constexpr std::size_t many_pieces = 3;  // so many share the samples, of which t
 constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
+constexpr std::size_t region_starts_of_a_chirality = 12;
 
 // Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
 std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model,
@@ -38,10 +40,10 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirali
   parallel_for(seeds.size(),
                [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
   sets = distinct_sets(std::move(sets), sets_of_a_chirality, model);
-  const std::vector<GrownSet> starts = axis_starts(model, data, chirality, axis_starts_of_a_chirality);
-  sets.insert(sets.end(), starts.begin(), starts.end());
-  const std::vector<GrownSet> by_ends = end_starts(model, data, chirality, end_starts_of_a_chirality);
-  sets.insert(sets.end(), by_ends.begin(), by_ends.end());
+  const auto add = [&](const std::vector<GrownSet>& starts) { sets.insert(sets.end(), starts.begin(), starts.end()); };
+  add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
+  add(end_starts(model, data, chirality, end_starts_of_a_chirality));
+  add(region_starts(model, data, chirality, region_starts_of_a_chirality));
   return sets;
 }
 
