@@ -6,6 +6,8 @@
 #include <limits>
 #include <numeric>
 
+#include "homolog/match/contact.h"
+
 namespace homolog {
 namespace {
 
@@ -16,17 +18,6 @@ constexpr double skin_near = 0.05;       // extents: as far as thickness is comp
 constexpr double least_agreement = 0.3;  // cosine of normals
 constexpr std::size_t most_ends = 8;
 constexpr double end_near = 0.1, end_lost = 0.3;  // extents
-
-// The data's skin node that a place with a normal lies on; -1: none.
-int skin_node_at(const Body& data, const SurfaceSample& laid, double farthest) {
-  int nearest = -1;
-  double least = farthest * farthest;
-  for (std::size_t i = 0; i < data.surface_count; ++i) {
-    const double distance = (data.nodes[i] - laid.position).squaredNorm();
-    if (distance < least && data.normals[i].dot(laid.normal) > least_agreement) least = distance, nearest = static_cast<int>(i);
-  }
-  return nearest;
-}
 
 // Mean distance of the values from their median, each 1 at most.
 double spread(std::vector<double> values) {
@@ -55,7 +46,7 @@ std::vector<Vec3> foremost_ends(const Ends& ends, const std::vector<Vec3>& nodes
 double ways_changed(const std::vector<SurfaceSample>& laid, double scale, const Shape& model, const Shape& data, double extent) {
   std::vector<std::pair<std::size_t, int>> mapped;  // model node, data node
   for (std::size_t i = 0; i < std::min(posts, laid.size()); ++i) {
-    const int there = skin_node_at(data.body, laid[i], near * extent);
+    const int there = skin_node_at(data.body, laid[i], near * extent, least_agreement);
     if (there >= 0) mapped.emplace_back(i, there);
   }
   std::vector<double> factors;

@@ -15,4 +15,14 @@ bool reaches(const SurfaceSample& sample, const Skin& skin, double reach) {
   return reaches(sample, nearest_sample(skin.blocks, sample.position), skin, reach);
 }
 
+int skin_node_at(const Body& body, const SurfaceSample& sample, double farthest, double agreement) {
+  int nearest = -1;
+  double least = farthest * farthest;
+  for (std::size_t i = 0; i < body.surface_count; ++i) {
+    const double square = (body.nodes[i] - sample.position).squaredNorm();
+    if (square < least && body.normals[i].dot(sample.normal) > agreement) least = square, nearest = static_cast<int>(i);
+  }
+  return nearest;
+}
+
 }  // namespace homolog

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "homolog/describe/body.h"
 #include "homolog/describe/sample_blocks.h"
 #include "homolog/describe/surface_samples.h"
 
@@ -21,5 +22,9 @@ bool reaches(const SurfaceSample& sample, const NearestSample& found, const Skin
 
 /// The same, which finds it.
 bool reaches(const SurfaceSample& sample, const Skin& skin, double reach);
+
+/// The skin node nearest to a sample, nearer than `farthest` and with a normal whose cosine with the sample's is above `agreement`; -1:
+/// none.
+int skin_node_at(const Body& body, const SurfaceSample& sample, double farthest, double agreement);
 
 }  // namespace homolog

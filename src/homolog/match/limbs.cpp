@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "homolog/match/contact.h"
 #include "homolog/match/evidence.h"
 
 namespace homolog {
@@ -52,17 +53,6 @@ std::vector<LimbPlace> limb_places_of_nodes(const Shape& shape, const std::vecto
   return places;
 }
 
-// The node of the skin that a sample belongs to.
-std::size_t node_at(const Body& body, const SurfaceSample& sample) {
-  std::size_t nearest = 0;
-  double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < body.surface_count; ++i) {
-    const double square = (body.nodes[i] - sample.position).squaredNorm();
-    if (square < least && body.normals[i].dot(sample.normal) > 0) least = square, nearest = i;
-  }
-  return nearest;
-}
-
 }  // namespace
 
 EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& data) {
@@ -79,7 +69,10 @@ EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& 
 std::vector<LimbPlace> limb_places(const std::vector<SurfaceSample>& samples, const Shape& shape, const std::vector<int>& chosen) {
   const std::vector<LimbPlace> of_nodes = limb_places_of_nodes(shape, chosen);
   std::vector<LimbPlace> places;
-  for (const SurfaceSample& sample : samples) places.push_back(of_nodes[node_at(shape.body, sample)]);
+  for (const SurfaceSample& sample : samples) {
+    const int node = skin_node_at(shape.body, sample, std::numeric_limits<double>::infinity(), 0);
+    places.push_back(of_nodes[std::max(node, 0)]);
+  }
   return places;
 }
 
