@@ -12,9 +12,8 @@ namespace homolog {
 namespace {
 
 constexpr std::size_t least_ends = 3;
-constexpr double farthest = 0.25;   // extents between ends that may belong together
-constexpr double limb_share = 0.7;  // of the mean way from an end to the others: its limb
-constexpr double unit = 0.2;        // of a limb
+constexpr double farthest = 0.25;  // extents between ends that may belong together
+constexpr double unit = 0.15;      // of a limb
 
 std::vector<Vec3> places_of(const Ends& ends, const std::vector<Vec3>& nodes) {
   std::vector<Vec3> places;
@@ -32,21 +31,16 @@ int nearest_of(const std::vector<Vec3>& places, const Vec3& to, double too_far) 
   return found;
 }
 
-// Length of the limb that ends in chosen[k].
-double limb_length(const Ends& ends, const std::vector<int>& chosen, std::size_t k) {
-  double sum = 0;
-  for (const int other : chosen) sum += ends.ways(ends.nodes[other], chosen[k]);
-  return limb_share * sum / static_cast<double>(chosen.size() - 1);
-}
+double way(const Ends& ends, int a, int b) { return ends.ways(ends.nodes[a], b); }
 
 std::vector<LimbPlace> limb_places_of_nodes(const Shape& shape, const std::vector<int>& chosen) {
+  const std::vector<double> lengths = limb_lengths(shape.ends, chosen);
   std::vector<LimbPlace> places(shape.body.surface_count);
   for (std::size_t k = 0; k < chosen.size(); ++k) {
-    const double length = limb_length(shape.ends, chosen, k);
-    if (!std::isfinite(length)) continue;  // an end in another piece of the body
+    if (!is_length(lengths[k])) continue;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double way = shape.ends.ways(static_cast<Eigen::Index>(i), chosen[k]);
-      const auto out = static_cast<float>((1 - way / length) / unit);
+      const auto out = static_cast<float>((1 - way / lengths[k]) / unit);
       if (out > places[i].out) places[i] = {static_cast<float>(k), out};
     }
   }
@@ -64,6 +58,27 @@ EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& 
     if (b >= 0 && nearest_of(laid, there[b], too_far) == a) together.model.push_back(a), together.data.push_back(b);
   }
   return together.model.size() < least_ends ? EndsTogether{} : together;
+}
+
+EndsTogether joined(EndsTogether first, const EndsTogether& second) {
+  first.model.insert(first.model.end(), second.model.begin(), second.model.end());
+  first.data.insert(first.data.end(), second.data.begin(), second.data.end());
+  return first;
+}
+
+bool is_length(double length) { return length > 0 && std::isfinite(length); }
+
+std::vector<double> limb_lengths(const Ends& ends, const std::vector<int>& chosen) {
+  std::vector<double> lengths;
+  for (const int end : chosen) {
+    double& least = lengths.emplace_back(std::numeric_limits<double>::infinity());
+    for (const int a : chosen) {
+      for (const int b : chosen) {
+        if (a < b && a != end && b != end) least = std::min(least, 0.5 * (way(ends, end, a) + way(ends, end, b) - way(ends, a, b)));
+      }
+    }
+  }
+  return lengths;
 }
 
 std::vector<LimbPlace> limb_places(const std::vector<SurfaceSample>& samples, const Shape& shape, const std::vector<int>& chosen) {

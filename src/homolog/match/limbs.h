@@ -18,8 +18,17 @@ struct EndsTogether {
 /// Those that are each other's nearest where the cloth lies; none if fewer than three.
 EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// Where samples of a shape's skin lie on the limbs that end in the chosen ones of its ends, which number the limbs. Shares of the way in
-/// to a limb's root are compared, so that a longer limb is longer evenly.
+/// Those of `first`, then those of `second`.
+EndsTogether joined(EndsTogether first, const EndsTogether& second);
+
+/// From each chosen end to where the ways to two others part, the nearest parting (their Gromov product): it stays when a body bends.
+std::vector<double> limb_lengths(const Ends& ends, const std::vector<int>& chosen);
+
+/// An end in another piece of the body, or beside another one, has none.
+bool is_length(double length);
+
+/// Where samples of a shape's skin lie on the limbs that end in the chosen ones of its ends, which number the limbs. Shares of a limb's
+/// length are compared, so that a longer limb is longer evenly.
 std::vector<LimbPlace> limb_places(const std::vector<SurfaceSample>& samples, const Shape& shape, const std::vector<int>& chosen);
 
 }  // namespace homolog

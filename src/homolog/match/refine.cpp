@@ -10,6 +10,7 @@
 #include "homolog/match/guided_pairs.h"
 #include "homolog/match/limbs.h"
 #include "homolog/match/trusted_pairs.h"
+#include "homolog/match/turned_limbs.h"
 #include "homolog/match/way_back.h"
 
 namespace homolog {
@@ -58,17 +59,27 @@ void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorK
 }
 
 // How well a cloth lies, of several for the same match.
-double fit_of(const Evidence& evidence) { return evidence.model_reached - evidence.thickness_changed - evidence.ends_missed; }
+double fit_of(const Evidence& evidence) {
+  return evidence.model_reached + evidence.data_reached - evidence.thickness_changed - evidence.ends_missed;
+}
 
-// Of the cloth as it is and drawn along the limbs the one that fits better stays.
+// Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.
 void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
-  const EndsTogether ends = ends_together(refined.cloth, model, data);
-  Refined along = refined;
+  const EndsTogether near = ends_together(refined.cloth, model, data);
+  Refined along = refined, anew = refined;
+  const auto try_along = [&](Refined& other, const EndsTogether& ends) {
+    draw_onto(other.cloth, model, data, {}, limb_draw, data_samples, ends);
+    settle(other, model, data, kind);
+    if (fit_of(other.evidence) > fit_of(refined.evidence)) refined = std::move(other);
+  };
   settle(refined, model, data, kind);
-  if (ends.model.empty()) return;
-  draw_onto(along.cloth, model, data, {}, limb_draw, data_samples, ends);
-  settle(along, model, data, kind);
-  if (fit_of(along.evidence) > fit_of(refined.evidence)) refined = std::move(along);
+  if (near.model.empty()) return;
+  try_along(along, near);
+  const EndsTogether turned = turned_ends(near, anew.cloth, model, data);
+  if (turned.model.empty()) return;
+  const EndsTogether all = joined(near, turned);
+  lay_limbs(anew.cloth, all, near.model.size(), model, data);
+  try_along(anew, all);
 }
 
 }  // namespace
