@@ -63,26 +63,23 @@ double fit_of(const Evidence& evidence) {
   return evidence.model_reached + evidence.data_reached - evidence.thickness_changed - evidence.ends_missed;
 }
 
-Refined drawn_along(Refined refined, const EndsTogether& ends, const Shape& model, const Shape& data) {
-  draw_onto(refined.cloth, model, data, {}, limb_draw, data_samples, ends);
-  refined.evidence = weigh(refined.cloth, model, data);
-  return refined;
-}
-
-// The one that fits best: as it is, drawn along the limbs, or with turned limbs laid anew before.
-Refined best_along_limbs(Refined refined, const Shape& model, const Shape& data) {
+// Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.
+void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   const EndsTogether near = ends_together(refined.cloth, model, data);
-  if (near.model.empty()) return refined;
-  refined.evidence = weigh(refined.cloth, model, data);
-  std::vector<Refined> tried{refined, drawn_along(refined, near, model, data)};
-  const EndsTogether turned = turned_ends(near, refined.cloth, model, data);
-  if (!turned.model.empty()) {
-    const EndsTogether all = joined(near, turned);
-    lay_limbs(refined.cloth, all, near.model.size(), model, data);
-    tried.push_back(drawn_along(std::move(refined), all, model, data));
-  }
-  return *std::max_element(tried.begin(), tried.end(),
-                           [](const Refined& a, const Refined& b) { return fit_of(a.evidence) < fit_of(b.evidence); });
+  Refined along = refined, anew = refined;
+  const auto try_along = [&](Refined& other, const EndsTogether& ends) {
+    draw_onto(other.cloth, model, data, {}, limb_draw, data_samples, ends);
+    settle(other, model, data, kind);
+    if (fit_of(other.evidence) > fit_of(refined.evidence)) refined = std::move(other);
+  };
+  settle(refined, model, data, kind);
+  if (near.model.empty()) return;
+  try_along(along, near);
+  const EndsTogether turned = turned_ends(near, anew.cloth, model, data);
+  if (turned.model.empty()) return;
+  const EndsTogether all = joined(near, turned);
+  lay_limbs(anew.cloth, all, near.model.size(), model, data);
+  try_along(anew, all);
 }
 
 }  // namespace
@@ -99,8 +96,7 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
     draw_onto(refined.cloth, model, data, refined.pairs, next_draw, data_samples);
   }
-  refined = best_along_limbs(std::move(refined), model, data);
-  settle(refined, model, data, kind);
+  settle_with_limbs(refined, model, data, kind);
   const double extent = extent_of(refined.cloth, model, data);
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
   rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
