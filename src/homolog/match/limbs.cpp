@@ -31,8 +31,6 @@ int nearest_of(const std::vector<Vec3>& places, const Vec3& to, double too_far) 
   return found;
 }
 
-double way(const Ends& ends, int a, int b) { return ends.ways(ends.nodes[a], b); }
-
 std::vector<LimbPlace> limb_places_of_nodes(const Shape& shape, const std::vector<int>& chosen) {
   const std::vector<double> lengths = limb_lengths(shape.ends, chosen);
   std::vector<LimbPlace> places(shape.body.surface_count);
@@ -60,6 +58,8 @@ EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& 
   return together.model.size() < least_ends ? EndsTogether{} : together;
 }
 
+double way_between(const Ends& ends, int a, int b) { return ends.ways(ends.nodes[a], b); }
+
 EndsTogether joined(EndsTogether first, const EndsTogether& second) {
   first.model.insert(first.model.end(), second.model.begin(), second.model.end());
   first.data.insert(first.data.end(), second.data.begin(), second.data.end());
@@ -74,7 +74,8 @@ std::vector<double> limb_lengths(const Ends& ends, const std::vector<int>& chose
     double& least = lengths.emplace_back(std::numeric_limits<double>::infinity());
     for (const int a : chosen) {
       for (const int b : chosen) {
-        if (a < b && a != end && b != end) least = std::min(least, 0.5 * (way(ends, end, a) + way(ends, end, b) - way(ends, a, b)));
+        if (a >= b || a == end || b == end) continue;
+        least = std::min(least, 0.5 * (way_between(ends, end, a) + way_between(ends, end, b) - way_between(ends, a, b)));
       }
     }
   }

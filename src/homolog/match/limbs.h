@@ -18,6 +18,9 @@ struct EndsTogether {
 /// Those that are each other's nearest where the cloth lies; none if fewer than three.
 EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& data);
 
+/// Length of the way inside between two of a shape's ends.
+double way_between(const Ends& ends, int a, int b);
+
 /// Those of `first`, then those of `second`.
 EndsTogether joined(EndsTogether first, const EndsTogether& second);
 

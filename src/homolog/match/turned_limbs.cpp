@@ -49,15 +49,13 @@ void lay_limb(Cloth& cloth, const Limb& wanted, const Eigen::VectorXd& in, std::
   }
 }
 
-double way(const Ends& ends, int a, int b) { return ends.ways(ends.nodes[a], b); }
-
 // How much longer the data's ways between the ends together are.
 double scale_of_ways(const EndsTogether& together, const Ends& model, const Ends& data) {
   double here = 0, there = 0;
   for (std::size_t i = 0; i < together.model.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      here += way(model, together.model[i], together.model[j]);
-      there += way(data, together.data[i], together.data[j]);
+      here += way_between(model, together.model[i], together.model[j]);
+      there += way_between(data, together.data[i], together.data[j]);
     }
   }
   return there / here;
@@ -67,7 +65,8 @@ double scale_of_ways(const EndsTogether& together, const Ends& model, const Ends
 double spread(int a, int b, double scale, const EndsTogether& together, const Ends& model, const Ends& data) {
   const auto count = static_cast<Eigen::Index>(together.model.size());
   Eigen::ArrayXd longer(count);
-  for (Eigen::Index i = 0; i < count; ++i) longer[i] = way(data, b, together.data[i]) - scale * way(model, a, together.model[i]);
+  for (Eigen::Index i = 0; i < count; ++i)
+    longer[i] = way_between(data, b, together.data[i]) - scale * way_between(model, a, together.model[i]);
   return std::sqrt((longer - longer.mean()).square().mean());
 }
 
