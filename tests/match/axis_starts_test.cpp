@@ -3,19 +3,13 @@
 
 #include <gtest/gtest.h>
 
-#include "fixtures/shapes.h"
+#include "fixtures/laid.h"
 
 namespace homolog {
 namespace {
 
 using namespace fixtures;
 using Move = fixtures::Similarity;
-
-double mean_error(const GrownSet& start, const Shape& model, const Move& truth, double scale) {
-  double sum = 0;
-  for (const Vec3& node : model.body.nodes) sum += (start.spline(node) - truth(node)).norm();
-  return sum / static_cast<double>(model.body.nodes.size()) / scale;
-}
 
 TEST(AxisStarts, TheBestOneLaysAShapeOnItsCopy) {
   const Shape model = described(hand());
@@ -26,7 +20,7 @@ TEST(AxisStarts, TheBestOneLaysAShapeOnItsCopy) {
     const std::vector<GrownSet> starts = axis_starts(model, data, chirality, 4);
     ASSERT_FALSE(starts.empty());
     EXPECT_LE(starts.size(), 4u);
-    EXPECT_LT(mean_error(starts[0], model, move, data.diagonal), 0.02);  // samples differ; a quarter of their spacing
+    EXPECT_LT(mean_error(starts[0], model, move) / data.diagonal, 0.02);  // samples differ; a quarter of their spacing
     EXPECT_NEAR(starts[0].spline.similarity.scale / 20, 1, 0.03);
     for (const GrownSet& start : starts) {
       EXPECT_EQ(start.chirality, chirality);
@@ -42,7 +36,7 @@ TEST(AxisStarts, AreDifferent) {
   for (std::size_t a = 0; a < starts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) {
       const homolog::Similarity& s = starts[b].spline.similarity;
-      EXPECT_GT(mean_error(starts[a], shape, {s.rotation, s.scale, s.shift}, shape.diagonal), 0.1);
+      EXPECT_GT(mean_error(starts[a], shape, {s.rotation, s.scale, s.shift}) / shape.diagonal, 0.1);
     }
   }
 }
@@ -55,7 +49,7 @@ TEST(AxisStarts, ReachEverySeparatePieceOfTheData) {
   const std::vector<GrownSet> starts = axis_starts(model, data, Chirality::proper, 4);
   for (const Move& truth : {here, there}) {
     double least = 1;
-    for (const GrownSet& start : starts) least = std::min(least, mean_error(start, model, truth, truth.scale * model.diagonal));
+    for (const GrownSet& start : starts) least = std::min(least, mean_error(start, model, truth) / (truth.scale * model.diagonal));
     EXPECT_LT(least, 0.05);  // nearer than two maps that count as one (family.cpp)
   }
 }

@@ -6,19 +6,13 @@
 
 #include <algorithm>
 
-#include "fixtures/shapes.h"
+#include "fixtures/laid.h"
 #include "homolog/match/draw_onto.h"
 
 namespace homolog {
 namespace {
 
 using namespace fixtures;
-
-Cloth laid(const Shape& model, const Vec3& shift) {
-  ThinPlateSpline spline;
-  spline.affine << Mat3::Identity(), shift;
-  return lay_cloth(model.body, spline, Chirality::proper);
-}
 
 std::vector<SurfaceSample> skin_of(const Shape& shape) {
   return {shape.surface.begin(), shape.surface.begin() + static_cast<std::ptrdiff_t>(shape.body.surface_count)};
@@ -61,14 +55,8 @@ TEST(Limbs, PlacesAreToldByTheWayToTheTip) {
   EXPECT_GT(std::count_if(places.begin(), places.end(), [](const LimbPlace& p) { return p.out == 0; }), 0);
 }
 
-// Four limbs, one of them of any length.
-Shape star(double length) {
-  const auto limb = [](const Vec3& tip) { return capsule(Vec3::Zero(), tip, 0.12); };
-  return described(join({ball(Vec3::Zero(), 0.3), limb({length, 0, 0}), limb({-1, 0.2, 0}), limb({0, 1.2, 0.1}), limb({0.1, -0.9, 0.3})}));
-}
-
 TEST(Limbs, AClothDrawnAlongThemReachesTheTipOfALongerLimb) {
-  const Shape model = star(1), data = star(1.6);
+  const Shape model = star({1, 0, 0}), data = star({1.6, 0, 0});
   const ClothSchedule first{10, 0.08, 0.02, 0.7, 0.2}, last{14, 0.03, 0.008, 0.7, 0.1};
   Cloth plain = laid(model, Vec3::Zero()), along = plain;
   const EndsTogether ends = ends_together(along, model, data);

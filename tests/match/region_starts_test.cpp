@@ -5,19 +5,13 @@
 
 #include <algorithm>
 
-#include "fixtures/shapes.h"
+#include "fixtures/laid.h"
 
 namespace homolog {
 namespace {
 
 using namespace fixtures;
 using Move = fixtures::Similarity;
-
-double mean_error(const GrownSet& start, const Shape& model, const Move& truth) {
-  double sum = 0;
-  for (const Vec3& node : model.body.nodes) sum += (start.spline(node) - truth(node)).norm();
-  return sum / static_cast<double>(model.body.nodes.size()) / (truth.scale * model.diagonal);
-}
 
 // The foreparts of an animal, cut off behind the shoulders.
 Shape foreparts() {
@@ -38,7 +32,7 @@ TEST(RegionStarts, OneOfThemLaysAPartOnTheWholeFromAnyTurnAndSize) {
     for (const GrownSet& start : starts) {
       EXPECT_EQ(start.chirality, chirality);
       EXPECT_TRUE(start.pairs.empty());
-      least = std::min(least, mean_error(start, part, move));
+      least = std::min(least, mean_error(start, part, move) / (move.scale * part.diagonal));
     }
     EXPECT_LT(least, 0.1);  // near enough for the cloth, which reaches .06 and .15 beyond
   }

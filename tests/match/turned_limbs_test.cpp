@@ -4,25 +4,13 @@
 
 #include <gtest/gtest.h>
 
-#include "fixtures/shapes.h"
+#include "fixtures/laid.h"
 #include "homolog/match/draw_onto.h"
 
 namespace homolog {
 namespace {
 
 using namespace fixtures;
-
-// Four limbs, one of which ends anywhere.
-Shape star(const Vec3& tip) {
-  const auto limb = [](const Vec3& end) { return capsule(Vec3::Zero(), end, 0.12); };
-  return described(join({ball(Vec3::Zero(), 0.3), limb(tip), limb({-1, 0.2, 0}), limb({0, 1.2, 0.1}), limb({0.1, -0.9, 0.3})}));
-}
-
-Cloth laid(const Shape& model) {
-  ThinPlateSpline spline;
-  spline.affine << Mat3::Identity(), Vec3::Zero();
-  return lay_cloth(model.body, spline, Chirality::proper);
-}
 
 // The end of a body nearest to a place.
 int end_at(const Shape& shape, const Vec3& place) {

@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "homolog/match/contact.h"
+#include "homolog/match/limbs.h"
 
 namespace homolog {
 namespace {
@@ -33,12 +34,6 @@ double distance_to_nearest(const Vec3& place, const std::vector<Vec3>& others) {
   double least = std::numeric_limits<double>::infinity();
   for (const Vec3& other : others) least = std::min(least, (other - place).squaredNorm());
   return std::sqrt(least);
-}
-
-std::vector<Vec3> foremost_ends(const Ends& ends, const std::vector<Vec3>& nodes, std::size_t most) {
-  std::vector<Vec3> places;
-  for (std::size_t k = 0; k < std::min(most, ends.nodes.size()); ++k) places.push_back(nodes[ends.nodes[k]]);
-  return places;
 }
 
 }  // namespace
@@ -72,12 +67,12 @@ double thickness_changed(const std::vector<SurfaceSample>& laid, const Shape& mo
 }
 
 double ends_missed(const Cloth& cloth, const Shape& model, const Shape& data, double extent) {
-  const std::vector<Vec3> all_laid = foremost_ends(model.ends, cloth.nodes, model.ends.nodes.size());
-  const std::vector<Vec3> all_there = foremost_ends(data.ends, data.body.nodes, data.ends.nodes.size());
+  const std::vector<Vec3> all_laid = places_of(model.ends, cloth.nodes);
+  const std::vector<Vec3> all_there = places_of(data.ends, data.body.nodes);
   double sum = 0, count = 0;
   const auto add = [&](double distance) { sum += std::min(distance / extent, end_lost), ++count; };
-  for (const Vec3& end : foremost_ends(model.ends, cloth.nodes, most_ends)) add(distance_to_nearest(end, all_there));
-  for (const Vec3& end : foremost_ends(data.ends, data.body.nodes, most_ends)) {
+  for (const Vec3& end : places_of(model.ends, cloth.nodes, most_ends)) add(distance_to_nearest(end, all_there));
+  for (const Vec3& end : places_of(data.ends, data.body.nodes, most_ends)) {
     if (distance_to_nearest(end, cloth.nodes) < end_near * extent) add(distance_to_nearest(end, all_laid));
   }
   return count > 0 ? sum / count : end_lost;

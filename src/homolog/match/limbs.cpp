@@ -15,12 +15,6 @@ constexpr std::size_t least_ends = 3;
 constexpr double farthest = 0.25;  // extents between ends that may belong together
 constexpr double unit = 0.15;      // of a limb
 
-std::vector<Vec3> places_of(const Ends& ends, const std::vector<Vec3>& nodes) {
-  std::vector<Vec3> places;
-  for (const int node : ends.nodes) places.push_back(nodes[node]);
-  return places;
-}
-
 // Which of the places is nearest; -1: all are too far.
 int nearest_of(const std::vector<Vec3>& places, const Vec3& to, double too_far) {
   int found = -1;
@@ -56,6 +50,12 @@ EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& 
     if (b >= 0 && nearest_of(laid, there[b], too_far) == a) together.model.push_back(a), together.data.push_back(b);
   }
   return together.model.size() < least_ends ? EndsTogether{} : together;
+}
+
+std::vector<Vec3> places_of(const Ends& ends, const std::vector<Vec3>& nodes, std::size_t most) {
+  std::vector<Vec3> places;
+  for (std::size_t k = 0; k < std::min(most, ends.nodes.size()); ++k) places.push_back(nodes[ends.nodes[k]]);
+  return places;
 }
 
 double way_between(const Ends& ends, int a, int b) { return ends.ways(ends.nodes[a], b); }

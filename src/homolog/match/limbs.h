@@ -3,6 +3,7 @@
 // Where ends of both bodies belong together, each place on a limb is drawn to the places as far out on the data's.
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "homolog/describe/shape.h"
@@ -17,6 +18,9 @@ struct EndsTogether {
 
 /// Those that are each other's nearest where the cloth lies; none if fewer than three.
 EndsTogether ends_together(const Cloth& cloth, const Shape& model, const Shape& data);
+
+/// Where the ends lie when the body's nodes lie so; the most prominent ones, `most` of them at most.
+std::vector<Vec3> places_of(const Ends& ends, const std::vector<Vec3>& nodes, std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Length of the way inside between two of a shape's ends.
 double way_between(const Ends& ends, int a, int b);
