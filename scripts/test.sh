@@ -32,7 +32,7 @@ finish() {
 # shellcheck disable=SC2317  # the functions below are called through step
 configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=ON && cmake --build --preset "$@"; }
 # shellcheck disable=SC2317
-unit_tests_of() { configure_and_build "$1" --target unit_tests && "build/$1/tests/unit_tests" --gtest_brief=1; }
+unit_tests_of() { configure_and_build "$1" --target unit_tests && ASAN_OPTIONS=detect_stack_use_after_return=1 "build/$1/tests/unit_tests" --gtest_brief=1; }
 
 # From the same compiler and nanobind's same place each time, so that ccache has the library from the build before.
 # shellcheck disable=SC2317

@@ -21,7 +21,7 @@ struct ZipArchive::Stream {
 namespace {
 
 constexpr int any_case = 2;
-constexpr std::size_t piece = std::size_t{1} << 20;  // memory is taken as bytes come, whatever a header promises
+constexpr std::size_t piece = std::size_t{1} << 16;  // memory is taken as bytes come, whatever a header promises
 
 template <class Stream>
 zlib_filefunc64_def functions_of(Stream& stream) {
