@@ -47,26 +47,9 @@ std::vector<Mat3> axis_turns(double sign) {
   return turns;
 }
 
-// For each of `from` the number of the nearest of `to`, places that face away being farther; adds up the distances.
-double nearest_partners(const Facets& from, const Facets& to, double turned_away, std::vector<int>& partner) {
-  const auto square = static_cast<float>(turned_away * turned_away);
-  double sum = 0;
-  partner.resize(static_cast<std::size_t>(from.places.rows()));
-  std::vector<float> costs(static_cast<std::size_t>(to.places.rows()));
-  Eigen::Map<Eigen::ArrayXf> cost(costs.data(), to.places.rows());  // of an Array, which could be resized, g++ 12 warns falsely
-  for (Eigen::Index i = 0; i < from.places.rows(); ++i) {
-    const auto x = from.places.row(i), n = from.normals.row(i);
-    cost = (to.places.col(0) - x[0]).square() + (to.places.col(1) - x[1]).square() + (to.places.col(2) - x[2]).square() +
-           square * (1 - to.normals.col(0) * n[0] - to.normals.col(1) * n[1] - to.normals.col(2) * n[2]);
-    sum += std::sqrt(std::max(0.0f, cost.minCoeff(&partner[static_cast<std::size_t>(i)])));
-  }
-  return sum / static_cast<double>(from.places.rows());
-}
-
 // The mean of both ways, in diagonals of the data.
-double two_way_distance(const Facets& model, const Facets& data, double diagonal, std::vector<int>& of_model, std::vector<int>& of_data) {
-  const double forth = nearest_partners(model, data, facing * diagonal, of_model);
-  return 0.5 * (forth + nearest_partners(data, model, facing * diagonal, of_data)) / diagonal;
+double two_way_distance(const Partners& partners, double diagonal) {
+  return 0.5 * (partners.model_distance + partners.data_distance) / diagonal;
 }
 
 }  // namespace
@@ -109,13 +92,17 @@ std::vector<Similarity> axis_similarities(const AxisSkin& model, const AxisSkin&
 
 Settled settle(const Similarity& start, const AxisSkin& model, const AxisSkin& data, Chirality chirality) {
   Settled settled{start};
-  std::vector<int> of_model, of_data;
   for (int step = 0; step <= settle_steps; ++step) {
-    settled.distance = two_way_distance(laid(settled.similarity, model, data), data.facets, data.diagonal, of_model, of_data);
+    const Partners partners = nearest_partners(laid(settled.similarity, model, data), data.facets, facing * data.diagonal);
+    settled.distance = two_way_distance(partners, data.diagonal);
     if (step == settle_steps) break;
     std::vector<WeighedPair> pairs;
-    for (std::size_t i = 0; i < of_model.size(); ++i) pairs.push_back({model.places.col(i), data.places.col(of_model[i]), 1});
-    for (std::size_t k = 0; k < of_data.size(); ++k) pairs.push_back({model.places.col(of_data[k]), data.places.col(k), 1});
+    for (std::size_t i = 0; i < partners.of_model.size(); ++i) {
+      pairs.push_back({model.places.col(i), data.places.col(partners.of_model[i]), 1});
+    }
+    for (std::size_t k = 0; k < partners.of_data.size(); ++k) {
+      pairs.push_back({model.places.col(partners.of_data[k]), data.places.col(k), 1});
+    }
     settled.similarity = best_similarity(pairs, chirality);
   }
   return settled;
@@ -137,9 +124,8 @@ std::vector<Settled> ways_to_lay(const AxisSkin& model, const AxisSkin& data, Ch
 }
 
 Settled rough_look(const Similarity& start, const AxisSkin& model, const AxisSkin& data) {
-  std::vector<int> of_model, of_data;
   const Facets here = first_of(laid(start, model, data), rough_samples), there = first_of(data.facets, rough_samples);
-  return {start, two_way_distance(here, there, data.diagonal, of_model, of_data)};
+  return {start, two_way_distance(nearest_partners(here, there, facing * data.diagonal), data.diagonal)};
 }
 
 GrownSet set_of(const Similarity& similarity, Chirality chirality) {

@@ -8,13 +8,9 @@
 
 #include "homolog/describe/surface_samples.h"
 #include "homolog/match/growth.h"
+#include "homolog/match/nearest_partners.h"
 
 namespace homolog {
-
-/// Places and normals a coordinate a column, single precision being enough beside the skin's centre.
-struct Facets {
-  Eigen::ArrayX3f places, normals;
-};
 
 /// Up to 150 samples of a surface.
 struct AxisSkin {
