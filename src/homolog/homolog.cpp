@@ -148,6 +148,7 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   Shape shape = describe_upright(turned(mesh, axes.transpose()), params, part, watch);
   turn_shape(shape, axes);
   shape.surface_blocks = make_blocks(shape.surface);
+  settle_body(shape.body);
   return shape;
 }
 

@@ -32,7 +32,10 @@ double ways_of(const Cloth& cloth, const Shape& model, const Shape& data, double
 }
 
 double thickness_of(const Cloth& cloth, const Shape& model, const Shape& data, double extent) {
-  return thickness_changed(mapped_skin(cloth, model.body), model, data, extent);
+  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+  std::vector<NearestSample> nearest;
+  for (const SurfaceSample& sample : laid) nearest.push_back(nearest_sample(data.surface_blocks, sample.position));
+  return thickness_changed(laid, nearest, model, data, extent);
 }
 
 Mat3 no_turn(const Vec3&) { return Mat3::Identity(); }

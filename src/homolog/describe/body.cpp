@@ -7,6 +7,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/describe/all_ways.h"
+#include "homolog/describe/sample_blocks.h"
 
 namespace homolog {
 namespace {
@@ -84,6 +85,11 @@ Body build_body(const Interior& interior, const std::vector<SurfaceSample>& samp
   join_nodes(interior, body);
   body.ways = all_ways(body);
   return body;
+}
+
+void settle_body(Body& body) {
+  body.edges = edges_of(body.nodes, body.neighbours);
+  body.skin_order = block_order({body.nodes.begin(), body.nodes.begin() + static_cast<std::ptrdiff_t>(body.surface_count)});
 }
 
 std::vector<double> shortest_ways(const Body& body, const std::vector<int>& sources) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 
 #include "homolog/base/halve.h"
@@ -34,17 +33,14 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
   return block;
 }
 
-// The borders of the blocks; only the last one may be less than full.
-void split(Order::iterator first, Order::iterator last, const std::vector<Vec3>& places, std::vector<Order::const_iterator>& borders) {
-  if (last - first <= block_size) {
-    borders.push_back(last);
-    return;
-  }
+// Blocks are full but for the last one.
+void split(Order::iterator first, Order::iterator last, const std::vector<Vec3>& places) {
+  if (last - first <= block_size) return;
   const auto blocks = (last - first + block_size - 1) / block_size;
   const auto cut = first + (blocks + 1) / 2 * block_size;
   halve(first, cut, last, places);
-  split(first, cut, places, borders);
-  split(cut, last, places, borders);
+  split(first, cut, places);
+  split(cut, last, places);
 }
 
 // The squared distances of squared_distances(), and the least of them.
@@ -64,31 +60,40 @@ HOMOLOG_WIDEST_CLONE float find_squares(const SampleBlock& block, const Eigen::V
 
 }  // namespace
 
-SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places) {
-  SampleBlocks blocks;
-  if (samples.empty()) return blocks;
-  const std::vector<Vec3> places = positions_of(samples);
-  for (const Vec3& place : places) blocks.middle += place / static_cast<double>(places.size());
-  double farthest = 0;
-  for (const Vec3& place : places) farthest = std::max(farthest, (place - blocks.middle).norm());
+std::vector<int> block_order(const std::vector<Vec3>& places) {
   Order order(places.size());
   std::iota(order.begin(), order.end(), 0);
-  std::vector<Order::const_iterator> borders{order.begin()};
-  split(order.begin(), order.end(), places, borders);
+  split(order.begin(), order.end(), places);
+  return order;
+}
+
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const Order& order, const std::vector<LimbPlace>& limb_places) {
+  SampleBlocks blocks;
+  const auto count = static_cast<double>(samples.size());
+  for (const SurfaceSample& sample : samples) blocks.middle += sample.position / count;
+  double farthest = 0;
+  for (const SurfaceSample& sample : samples) farthest = std::max(farthest, (sample.position - blocks.middle).norm());
   const auto far_away = static_cast<float>(1e6 * farthest);
-  for (std::size_t b = 1; b < borders.size(); ++b) {
-    blocks.blocks.push_back(fill_block(borders[b - 1], borders[b], samples, limb_places, blocks.middle, far_away));
+  for (auto first = order.begin(); first != order.end();) {
+    const auto last = first + std::min<std::ptrdiff_t>(block_size, order.end() - first);
+    blocks.blocks.push_back(fill_block(first, last, samples, limb_places, blocks.middle, far_away));
+    first = last;
   }
   return blocks;
+}
+
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places) {
+  return make_blocks(samples, block_order(positions_of(samples)), limb_places);
 }
 
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place) {
   return (block.x - place.x()).square() + (block.y - place.y()).square() + (block.z - place.z()).square();
 }
 
-NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place) {
+NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place, double farthest) {
   const Eigen::Vector3f p = (place - samples.middle).cast<float>();
-  float best = std::numeric_limits<float>::infinity(), within = best;
+  auto within = static_cast<float>(farthest);
+  float best = within * within;
   NearestSample nearest;
   float squares[block_size];
   for (const SampleBlock& block : samples.blocks) {

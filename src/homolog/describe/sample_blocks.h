@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <limits>
 #include <vector>
 
 #include "homolog/describe/surface_samples.h"
@@ -33,18 +34,23 @@ struct SampleBlocks {
   Vec3 middle = Vec3::Zero();
 };
 
-/// Halves the samples across their longest side until a block holds each piece.
-/// Samples without limb places lie on the trunk.
+/// The order of the samples in which blocks hold them, after halving them across their longest side until a block holds each piece.
+std::vector<int> block_order(const std::vector<Vec3>& places);
+
+/// Samples without limb places lie on the trunk. An order from where the samples lay before serves as long as neighbours stay neighbours.
+SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<int>& order,
+                         const std::vector<LimbPlace>& limb_places = {});
 SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places = {});
 
 /// Squared distances from a place, relative to the middle, to the samples of a block.
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place);
 
 struct NearestSample {
-  int sample = -1;  ///< -1: there are no samples
+  int sample = -1;  ///< -1: there is none
   double distance = 0;
 };
 
-NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place);
+/// None is told where all are farther than `within`.
+NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place, double within = std::numeric_limits<double>::infinity());
 
 }  // namespace homolog

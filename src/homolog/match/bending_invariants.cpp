@@ -15,7 +15,6 @@ namespace {
 constexpr std::size_t posts = 50;        // an even prefix of the skin
 constexpr double near = 0.08;            // extents: a post farther from the data's skin is not mapped
 constexpr double long_way = 0.15;        // extents: shorter ways tell more of the nodes than of the body
-constexpr double skin_near = 0.05;       // extents: as far as thickness is compared
 constexpr double least_agreement = 0.3;  // cosine of normals
 constexpr std::size_t most_ends = 8;
 constexpr double end_near = 0.1, end_lost = 0.3;  // extents
@@ -55,10 +54,11 @@ double ways_changed(const std::vector<SurfaceSample>& laid, double scale, const 
   return spread(std::move(factors));
 }
 
-double thickness_changed(const std::vector<SurfaceSample>& laid, const Shape& model, const Shape& data, double extent) {
+double thickness_changed(const std::vector<SurfaceSample>& laid, const std::vector<NearestSample>& nearest, const Shape& model,
+                         const Shape& data, double extent) {
   std::vector<double> factors;
   for (std::size_t i = 0; i < laid.size(); ++i) {
-    const NearestSample found = nearest_sample(data.surface_blocks, laid[i].position);
+    const NearestSample& found = nearest[i];
     if (found.sample < 0 || found.distance > skin_near * extent) continue;
     if (data.surface[found.sample].normal.dot(laid[i].normal) < least_agreement) continue;
     factors.push_back(std::log(data.thickness[found.sample] / model.thickness[i]));

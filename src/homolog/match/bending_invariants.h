@@ -12,8 +12,12 @@ namespace homolog {
 /// mapped. `laid` is the cloth's mapped skin, `scale` its scale, `extent` as in match.h.
 double ways_changed(const std::vector<SurfaceSample>& laid, double scale, const Shape& model, const Shape& data, double extent);
 
-/// The same of the thickness under the skin.
-double thickness_changed(const std::vector<SurfaceSample>& laid, const Shape& model, const Shape& data, double extent);
+/// As far as thickness is compared, in extents.
+constexpr double skin_near = 0.05;
+
+/// The same of the thickness under the skin. `nearest` of the data's samples to the laid ones, at least where it is within skin_near.
+double thickness_changed(const std::vector<SurfaceSample>& laid, const std::vector<NearestSample>& nearest, const Shape& model,
+                         const Shape& data, double extent);
 
 /// Mean distance from the model's ends to the data's nearest ones, and back from those that the cloth comes near, in extents; .3 at most.
 double ends_missed(const Cloth& cloth, const Shape& model, const Shape& data, double extent);

@@ -16,9 +16,10 @@ constexpr int shape_steps = 2;  // rotations and places in turn, per assignment
 
 // Soft assignment draws every skin inwards from its ends and edges, even one that lies where it should. What it would do to the skin laid
 // on itself is given back, as in the Sinkhorn divergence (Feydy et al. 2019).
-Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach, const std::vector<LimbPlace>& limbs) {
+Pull unbiased_pull(const std::vector<SurfaceSample>& skin, const std::vector<int>& skin_order, const SampleBlocks& data, double reach,
+                   const std::vector<LimbPlace>& limbs) {
   Pull pull = assign_softly(skin, data, reach, limbs);
-  const Pull own = assign_softly(skin, make_blocks(skin, limbs), reach, limbs);
+  const Pull own = assign_softly(skin, make_blocks(skin, skin_order, limbs), reach, limbs);
   for (std::size_t i = 0; i < skin.size(); ++i) pull.places[i] += skin[i].position - own.places[i];
   return pull;
 }
@@ -30,12 +31,17 @@ double at_step(double first, double last, int step, int steps) {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
+// The upper half, rows and columns in the order of elimination.
 Sparse laplacian_of(const Edges& edges) {
-  const int n = static_cast<int>(edges.square.size());
+  const int n = static_cast<int>(edges.elimination.size());
+  std::vector<int> rank(n);
+  for (int k = 0; k < n; ++k) rank[edges.elimination[k]] = k;
   std::vector<Eigen::Triplet<double>> entries;
   for (int i = 0; i < n; ++i) {
-    entries.emplace_back(i, i, edges.first[i + 1] - edges.first[i]);
-    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) entries.emplace_back(i, edges.other[e], -1);
+    entries.emplace_back(rank[i], rank[i], edges.first[i + 1] - edges.first[i]);
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) {
+      if (rank[i] < rank[edges.other[e]]) entries.emplace_back(rank[i], rank[edges.other[e]], -1);
+    }
   }
   Sparse matrix(n, n);
   matrix.setFromTriplets(entries.begin(), entries.end());
@@ -66,8 +72,8 @@ Draw draw_of(const Cloth& cloth, const Pull& pull, const std::vector<Anchor>& an
 Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& draw) {
   Eigen::MatrixX3d right = draw.moment;
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
-    Vec3 sum = Vec3::Zero();
-    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) sum += (cloth.frames[i] + cloth.frames[edges.other[e]]) * edges.vector[e];
+    Vec3 sum = cloth.frames[i] * edges.sum[i];
+    for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) sum += cloth.frames[edges.other[e]] * edges.vector[e];
     right.row(i) -= 0.5 * sum;
   }
   return right;
@@ -95,7 +101,7 @@ Cloth lay_cloth(const Body& model, std::vector<Vec3> places, const Similarity& s
   cloth.rotations.assign(model.nodes.size(), similarity.rotation);
   cloth.scales.assign(model.nodes.size(), cloth.scale);
   cloth.frames.assign(model.nodes.size(), cloth.scale * similarity.rotation);
-  fit_local_frames(cloth, edges_of(model));
+  fit_local_frames(cloth, model.edges);
   return cloth;
 }
 
@@ -108,22 +114,22 @@ std::vector<SurfaceSample> mapped_skin(const Cloth& cloth, const Body& model) {
 void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample>& data, double data_diagonal,
                 const std::vector<Anchor>& anchors, const ClothSchedule& schedule, const LimbPlaces& limbs) {
   const SampleBlocks samples = make_blocks(data, limbs.data);
-  const Edges edges = edges_of(model);
-  const Sparse laplacian = laplacian_of(edges);
+  const std::vector<int>& order = model.edges.elimination;
+  const Sparse laplacian = laplacian_of(model.edges);
   Sparse system = laplacian;
-  Eigen::SimplicialLDLT<Sparse> solver;
+  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
   solver.analyzePattern(system);
   for (int step = 0; step < schedule.iterations; ++step) {
     const double reach = data_diagonal * at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations);
     const double stiffness = at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations);
-    const Pull pull = unbiased_pull(mapped_skin(cloth, model), samples, reach, limbs.model);
+    const Pull pull = unbiased_pull(mapped_skin(cloth, model), model.skin_order, samples, reach, limbs.model);
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
-    system.diagonal() = laplacian.diagonal() + draw.mass;
+    system.diagonal() = laplacian.diagonal() + draw.mass(order);
     solver.factorize(system);
     for (int inner = 0; inner < shape_steps; ++inner) {
-      const Eigen::MatrixX3d places = solver.solve(right_side(cloth, edges, draw));
-      for (std::size_t i = 0; i < cloth.nodes.size(); ++i) cloth.nodes[i] = places.row(i);
-      fit_local_frames(cloth, edges);
+      const Eigen::MatrixX3d right = right_side(cloth, model.edges, draw)(order, Eigen::all), places = solver.solve(right);
+      for (std::size_t k = 0; k < order.size(); ++k) cloth.nodes[order[k]] = places.row(k);
+      fit_local_frames(cloth, model.edges);
     }
   }
 }

@@ -12,7 +12,7 @@ bool reaches(const SurfaceSample& sample, const NearestSample& found, const Skin
 }
 
 bool reaches(const SurfaceSample& sample, const Skin& skin, double reach) {
-  return reaches(sample, nearest_sample(skin.blocks, sample.position), skin, reach);
+  return reaches(sample, nearest_sample(skin.blocks, sample.position, reach + skin.spacing), skin, reach);
 }
 
 int skin_node_at(const Body& body, const SurfaceSample& sample, double farthest, double agreement) {

@@ -28,38 +28,37 @@ bool in_flat_face(const Body& body, int node) {
 
 // Share of the model's skin that comes to lie on the data's. Flat faces that end inside the data do not count: where the model was cut
 // off, the data goes on.
-double model_reached(const Skin& cloth_skin, const Skin& data_skin, const Body& model, const Interior& data, double reach) {
+double model_reached(const std::vector<SurfaceSample>& laid, const std::vector<NearestSample>& nearest, const Skin& data_skin,
+                     const Body& model, const Interior& data, double reach) {
   double reached = 0, cut = 0;
-  for (std::size_t i = 0; i < cloth_skin.samples.size(); ++i) {
-    if (reaches(cloth_skin.samples[i], data_skin, reach)) {
+  for (std::size_t i = 0; i < laid.size(); ++i) {
+    if (reaches(laid[i], nearest[i], data_skin, reach)) {
       ++reached;
-    } else if (in_flat_face(model, static_cast<int>(i)) && sample(data, cloth_skin.samples[i].position) > 0.9f) {
+    } else if (in_flat_face(model, static_cast<int>(i)) && sample(data, laid[i].position) > 0.9f) {
       ++cut;
     }
   }
-  const double counted = static_cast<double>(cloth_skin.samples.size()) - cut;
+  const double counted = static_cast<double>(laid.size()) - cut;
   return counted > 0 ? reached / counted : 0;
 }
 
-// The data's samples on which the model comes to lie.
-std::vector<int> data_reached(const Skin& data_skin, const Skin& cloth_skin, double reach) {
-  std::vector<int> reached;
-  for (std::size_t k = 0; k < data_skin.samples.size(); ++k) {
-    if (reaches(data_skin.samples[k], cloth_skin, reach)) reached.push_back(static_cast<int>(k));
-  }
-  return reached;
-}
-
-// Share that is reached of what lies near along the inside: an arm that hangs beside a torso is far from it.
-double near_reached(const std::vector<int>& reached, const Body& data, double near) {
-  const auto skin = static_cast<Eigen::Index>(data.surface_count);
+// Share that is reached of the data's skin that lies near along the inside: an arm that hangs beside a torso is far from it.
+double near_reached(const Skin& laid, const Shape& data, double reach, double near) {
+  const auto skin = static_cast<Eigen::Index>(data.body.surface_count);
   Eigen::ArrayXd ways = Eigen::ArrayXd::Constant(skin, std::numeric_limits<double>::infinity());
-  double nodes = 0;
-  for (const int k : reached) {
-    if (k < skin) ways = ways.min(data.ways.col(k).head(skin).array()), ++nodes;
+  double reached = 0;
+  for (Eigen::Index k = 0; k < skin; ++k) {
+    if (reaches(data.surface[k], laid, reach)) ways = ways.min(data.body.ways.col(k).head(skin).array()), ++reached;
   }
   const auto count = (ways < near).count();
-  return count > 0 ? nodes / static_cast<double>(count) : 0;
+  return count > 0 ? reached / static_cast<double>(count) : 0;
+}
+
+// What lies within `farthest` of each place.
+std::vector<NearestSample> nearest_to(const std::vector<SurfaceSample>& laid, const Skin& skin, double farthest) {
+  std::vector<NearestSample> nearest;
+  for (const SurfaceSample& sample : laid) nearest.push_back(nearest_sample(skin.blocks, sample.position, farthest));
+  return nearest;
 }
 
 // Between the rotations of a node and of a neighbour, in radians.
@@ -92,19 +91,28 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   const double extent = extent_of(cloth, model, data), reach = reached_share * extent;
   const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
   if (laid.empty() || data.surface.empty()) return {};
-  const SampleBlocks laid_blocks = make_blocks(laid);
-  const Skin cloth_skin{laid, laid_blocks, typical_spacing(positions_of(laid))};
+  const SampleBlocks laid_blocks = make_blocks(laid, model.body.skin_order);
+  const Skin laid_skin{laid, laid_blocks, typical_spacing(positions_of(laid))};
   const Skin data_skin{data.surface, data.surface_blocks, data.surface_spacing};
-  const std::vector<int> reached = data_reached(data_skin, cloth_skin, reach);
+  const auto nearest = nearest_to(laid, data_skin, std::max(reach + data_skin.spacing, skin_near * extent));
   Evidence evidence;
-  evidence.model_reached = model_reached(cloth_skin, data_skin, model.body, data.interior, reach);
-  evidence.data_reached = static_cast<double>(reached.size()) / static_cast<double>(data_skin.samples.size());
-  evidence.data_near_reached = near_reached(reached, data.body, near_share * extent);
+  evidence.model_reached = model_reached(laid, nearest, data_skin, model.body, data.interior, reach);
+  evidence.data_near_reached = near_reached(laid_skin, data, reach, near_share * extent);
   evidence.turning = mean_turning(cloth, model.body);
   evidence.ways_changed = ways_changed(laid, cloth.scale, model, data, extent);
-  evidence.thickness_changed = thickness_changed(laid, model, data, extent);
+  evidence.thickness_changed = thickness_changed(laid, nearest, model, data, extent);
   evidence.ends_missed = ends_missed(cloth, model, data, extent);
   return evidence;
+}
+
+double data_reached(const Cloth& cloth, const Shape& model, const Shape& data) {
+  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+  if (laid.empty() || data.surface.empty()) return 0;
+  const SampleBlocks blocks = make_blocks(laid, model.body.skin_order);
+  const Skin skin{laid, blocks, typical_spacing(positions_of(laid))};
+  const double reach = reached_share * extent_of(cloth, model, data);
+  const auto reached = std::count_if(data.surface.begin(), data.surface.end(), [&](const auto& s) { return reaches(s, skin, reach); });
+  return static_cast<double>(reached) / static_cast<double>(data.surface.size());
 }
 
 double merit_of(const Evidence& evidence) {

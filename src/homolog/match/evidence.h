@@ -21,6 +21,9 @@ double turning_at(const Cloth& cloth, const Body& model, int node);
 /// All but Evidence::support, which needs the pairs (refine.cpp).
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 
+/// Share of the data's skin on which the model comes to lie.
+double data_reached(const Cloth& cloth, const Shape& model, const Shape& data);
+
 /// One number that orders the matches of a pair of shapes: reach both ways and a little for every salient point paired, less what bending
 /// alone would not change, and less bending. Weights by conditional logistic regression within 476 pairs of real shapes.
 double merit_of(const Evidence& evidence);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/match/local_frames.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -10,8 +9,7 @@
 namespace homolog {
 namespace {
 
-constexpr double flat_share = 0.05;  // of the squared edges: stretch across a flat neighbourhood is the cloth's scale
-constexpr std::size_t lanes = 4;     // nodes at once
+constexpr std::size_t lanes = 4;  // nodes at once
 
 struct FourMatrices {
   FourDoubles column[3][3];
@@ -96,22 +94,6 @@ void turn_four(Mat3* rotations, const Spread* spreads, std::size_t count) {
 }
 
 }  // namespace
-
-Edges edges_of(const Body& model) {
-  Edges edges{{0}, {}, {}, std::vector<double>(model.nodes.size()), std::vector<Mat3>(model.nodes.size(), Mat3::Zero())};
-  for (std::size_t i = 0; i < model.nodes.size(); ++i) {
-    Mat3 squares = Mat3::Zero();
-    for (int j : model.neighbours[i]) {
-      edges.other.push_back(j);
-      edges.vector.push_back(model.nodes[j] - model.nodes[i]);
-      edges.square[i] += edges.vector.back().squaredNorm();
-      squares += edges.vector.back() * edges.vector.back().transpose();
-    }
-    if (edges.square[i] > 0) edges.inverse[i] = (squares + flat_share * edges.square[i] * Mat3::Identity()).inverse();
-    edges.first.push_back(static_cast<int>(edges.other.size()));
-  }
-  return edges;
-}
 
 void fit_local_frames(Cloth& cloth, const Edges& edges) {
   const std::size_t count = cloth.nodes.size();

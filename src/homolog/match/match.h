@@ -27,8 +27,7 @@ std::vector<Vec3> data_positions(const CorrespondenceSet& set);
 /// What the refined map tells about a match (evidence.h).
 struct Evidence {
   double model_reached = 0;      ///< share of the model's skin that comes to lie on the data's, normals agreeing
-  double data_reached = 0;       ///< share of the data's skin on which the model comes to lie
-  double data_near_reached = 0;  ///< the same, of the data's skin near what is reached, along the inside
+  double data_near_reached = 0;  ///< share of the data's skin near it, along the inside, on which the model comes to lie
   double turning = 0;            ///< mean angle, in radians, between the rotations of neighbours: how much the body is bent all over
   double support = 0;            ///< number of salient points that the map pairs, each counted by how well it fits
   double ways_changed = 1;       ///< how much ways inside get longer here and shorter there: mean |log|, 1 at most (bending_invariants.h)

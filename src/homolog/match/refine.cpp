@@ -59,8 +59,9 @@ void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorK
 }
 
 // How well a cloth lies, of several for the same match.
-double fit_of(const Evidence& evidence) {
-  return evidence.model_reached + evidence.data_reached - evidence.thickness_changed - evidence.ends_missed;
+double fit_of(const Refined& refined, const Shape& model, const Shape& data) {
+  const Evidence& evidence = refined.evidence;
+  return evidence.model_reached + data_reached(refined.cloth, model, data) - evidence.thickness_changed - evidence.ends_missed;
 }
 
 // Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.
@@ -70,7 +71,7 @@ void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, 
   const auto try_along = [&](Refined& other, const EndsTogether& ends) {
     draw_onto(other.cloth, model, data, {}, limb_draw, data_samples, ends);
     settle(other, model, data, kind);
-    if (fit_of(other.evidence) > fit_of(refined.evidence)) refined = std::move(other);
+    if (fit_of(other, model, data) > fit_of(refined, model, data)) refined = std::move(other);
   };
   settle(refined, model, data, kind);
   if (near.model.empty()) return;
@@ -118,7 +119,7 @@ Match match_of(const Refined& refined, const Shape& model, const Shape& data, co
   match.evidence = refined.evidence;
   match.confidence = refined.confidence;
   match.model_coverage = match.evidence.model_reached;
-  match.data_coverage = match.evidence.data_reached;
+  match.data_coverage = data_reached(refined.cloth, model, data);
   return match;
 }
 

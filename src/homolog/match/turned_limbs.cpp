@@ -110,7 +110,7 @@ void lay_limbs(Cloth& cloth, const EndsTogether& together, std::size_t first, co
     const Limb wanted = limb_of(data.ends.ways.col(together.data[k]) / there[k], data.body.nodes, data.body.surface_count);
     lay_limb(cloth, wanted, model.ends.ways.col(together.model[k]) / here[k], model.body.surface_count);
   }
-  fit_local_frames(cloth, edges_of(model.body));
+  fit_local_frames(cloth, model.body.edges);
 }
 
 }  // namespace homolog
