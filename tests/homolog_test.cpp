@@ -168,6 +168,33 @@ TEST(WholeWay, AQuadrupedsSymmetryIsItsMirrorImageAndNotTheIdentity) {
   for (const Match& match : family.matches) EXPECT_GT(error_of(match, shape, shape, {}), right);
 }
 
+// A hook with a short and a long arm, standing at `place`, `size` times as large and turned by `angle` about x.
+Solid hook(const Vec3& place, double size, double angle) {
+  const auto at = [&](double x, double y, double z) -> Vec3 {
+    return place + size * (Eigen::AngleAxisd(angle, Vec3::UnitX()) * Vec3(x, y, z));
+  };
+  return join({capsule(at(0, 0, 0), at(0, 0, 2), 0.25 * size), capsule(at(0, 0, 2), at(0.8, 0, 2), 0.25 * size),
+               capsule(at(0, 0, 0), at(0, 1.2, 0), 0.25 * size)});
+}
+
+TEST(WholeWay, ARepeatedPieceIsToldWithItsMovements) {
+  const Vec3 large(0, 6, 0), first(0, 0, 0), second(4, 0, 0);
+  const Shape shape = described(join({hook(first, 1, 0), hook(second, 1, 0), hook(large, 1.5, 1)}), voxels);
+  const Family family = find_symmetries(shape, coarse(voxels));
+  int on_first = 0, on_second = 0;
+  for (const Match& match : family.matches) {
+    if (match.confidence < 0.5 || match.handedness == Handedness::mirrored) continue;
+    on_first += (match.similarity(large) - first).norm() < 0.2;
+    on_second += (match.similarity(large) - second).norm() < 0.2;
+    for (const Correspondence& c : match.pairs) {
+      EXPECT_EQ(c.model_point.position, shape.points[c.model].position);
+      EXPECT_LT(c.data, static_cast<int>(shape.points.size() + family.followed.size()));
+    }
+  }
+  EXPECT_EQ(on_first, 1);
+  EXPECT_EQ(on_second, 1);
+}
+
 TEST(WholeWay, BytesRepeatForAnyNumberOfThreads) {
   std::string first;
   for (const int threads : {1, 3}) {

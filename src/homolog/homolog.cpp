@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/homolog.h"
 
+#include <algorithm>
 #include <functional>
 
 #include "homolog/base/parallel.h"
@@ -15,6 +16,7 @@
 #include "homolog/match/family.h"
 #include "homolog/match/growth.h"
 #include "homolog/match/region_starts.h"
+#include "homolog/match/repeated_pieces.h"
 #include "homolog/match/seeds.h"
 #include "homolog/match/verify.h"
 #include "homolog/salient/direction.h"
@@ -27,7 +29,8 @@ namespace {
 
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
-constexpr std::size_t many_pieces = 3;  // so many share the samples, of which there are as many times more
+constexpr std::size_t many_pieces = 3;       // so many share the samples, of which there are as many times more
+constexpr std::size_t repeated_pieces = 12;  // of a shape, that are looked for again in it
 constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
@@ -157,7 +160,22 @@ Family match_shapes(const Shape& model, const Shape& data, const Params& params,
 }
 
 Family find_symmetries(const Shape& shape, const Params& params, Stopwatch* watch) {
-  return match_described(shape, shape, params, true, watch);
+  Family family = match_described(shape, shape, params, true, watch);
+  const std::vector<std::vector<int>> pieces = separate_surfaces(shape.surface, shape.body, repeated_pieces);
+  if (pieces.empty()) return family;
+  const ThreadLimit limit(params.threads);
+  std::erase_if(family.matches, [&](const Match& match) { return !is_one_movement(match, shape); });
+  std::vector<char> repeats(shape.surface.size(), 0);  // samples that an earlier piece comes to lie on
+  for (const std::vector<int>& samples : pieces) {
+    if (2 * std::count_if(samples.begin(), samples.end(), [&](int i) { return repeats[i]; }) > std::ssize(samples)) continue;
+    const Piece piece = piece_of(shape, samples);
+    Family found = match_described(piece.shape, shape, params, true, nullptr);
+    for (const Match& match : found.matches) mark_reached(match, piece.shape, shape, repeats);
+    add_matches(family, std::move(found), piece, shape);
+    lap(watch, "a piece", samples.size(), "samples");
+  }
+  keep_surest(family, params.match.matches);
+  return family;
 }
 
 }  // namespace homolog

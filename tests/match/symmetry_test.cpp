@@ -79,11 +79,20 @@ TEST(SymmetriesOf, TellsOfARepetitionHowFarItLiesFromTheSurface) {
   EXPECT_NEAR(symmetry_of(ball, third).error * bounding_box(ball).diagonal(), 0.1 / std::sqrt(3), 0.01) << "mean square of 0.1 cosine";
 }
 
+TEST(SymmetriesOf, AMirrorImageElsewhereHasNoPlane) {
+  Similarity beside = rough_mirror();
+  beside.shift += 20 * Vec3::UnitZ();
+  const Symmetry symmetry = symmetry_of(body(0), beside);
+  EXPECT_FALSE(symmetry.mirror.has_value());
+  EXPECT_THAT(symmetries_text({symmetry}), testing::HasSubstr("repeated as its mirror image (x negated first), 0.970 times"));
+}
+
 TEST(SymmetriesJson, SaysTheSame) {
   const Symmetry mirror{Plane{{0, 1, 0}, 2}, {}, 0.25}, repeated{{}, {2, Mat3::Identity(), {1, 2, 3}}, 0.5};
   const nlohmann::json list = nlohmann::json::parse(symmetries_json({mirror, repeated}))["symmetries"];
   EXPECT_EQ(list[0], nlohmann::json::parse(R"({"kind": "mirrored", "normal": [0, 1, 0], "offset": 2, "error": 0.25})"));
   EXPECT_EQ(list[1]["kind"], "repeated");
+  EXPECT_EQ(list[1]["mirrored"], false);
   EXPECT_EQ(list[1]["shift"], nlohmann::json::parse("[1, 2, 3]"));
 }
 

@@ -18,7 +18,7 @@ const errorOf = ({ error }) => `${Number((100 * Math.max(error, leastError)).toP
 /// What a match of a shape with itself says, in a line.
 function symmetryNote(symmetry) {
   if (!symmetry) return [];
-  const does = symmetry.normal ? 'mirror plane' : `repeated, turned by ${symmetry.degrees.toFixed(1)}\u00b0`;
+  const does = symmetry.normal ? 'mirror plane' : `repeated${symmetry.mirrored ? ' as its mirror image' : ''}, turned by ${symmetry.degrees.toFixed(1)}\u00b0`;
   return [make('span', { class: 'second symmetry', title: 'root of the mean square distance from the surface, in diagonals' },
     `${does}, error ${errorOf(symmetry)}`)];
 }
@@ -29,6 +29,7 @@ function symmetryNumbers(symmetry) {
   const does = normal
     ? [['mirror plane', `normal ${place(normal.map((x) => Math.round(1e4 * x) / 1e4))}; offset ${short(offset)}`]]
     : [['turned by', `${degrees.toFixed(1)}\u00b0 about ${place(axis)}`], ['shifted by', place(shift)]];
+  if (symmetry.mirrored) does.unshift(['mirror image', 'x negated first']);
   return [...does, ['error', `${errorOf(symmetry)} of the diagonal (root mean square)`]];
 }
 

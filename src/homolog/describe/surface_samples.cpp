@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/describe/surface_samples.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -137,6 +138,12 @@ std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples) {
   std::vector<Vec3> positions;
   for (const SurfaceSample& s : samples) positions.push_back(s.position);
   return positions;
+}
+
+double diagonal_of(const std::vector<SurfaceSample>& samples) {
+  Eigen::AlignedBox3d box;
+  for (const SurfaceSample& s : samples) box.extend(s.position);
+  return box.diagonal().norm();
 }
 
 double typical_spacing(const std::vector<Vec3>& places) {

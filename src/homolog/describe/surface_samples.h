@@ -18,6 +18,9 @@ std::vector<SurfaceSample> sample_surface(const Interior& interior, int count);
 
 std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples);
 
+/// Of the box around them.
+double diagonal_of(const std::vector<SurfaceSample>& samples);
+
 /// Median distance of a place to the nearest other one; 0 for fewer than two.
 double typical_spacing(const std::vector<Vec3>& places);
 

@@ -41,6 +41,14 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
+// Does most of the model stay where it is? A proper map that leaves half of the nodes there exchanges a limb at most.
+bool stays(const Cloth& cloth, const Shape& model) {
+  if (cloth.chirality == Chirality::mirrored) return mean_distance(cloth.nodes, model.body.nodes) < same_map * model.diagonal;
+  std::size_t staying = 0;
+  for (std::size_t i = 0; i < cloth.nodes.size(); ++i) staying += (cloth.nodes[i] - model.body.nodes[i]).norm() < same_map * model.diagonal;
+  return 2 * staying > cloth.nodes.size();
+}
+
 double rank_merit(const Refined& match) { return rank_merit(match.evidence, match.cloth.chirality); }
 
 bool better(const Refined& a, const Refined& b) {
@@ -137,7 +145,7 @@ struct LaidSet {
 
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
                                 bool without_identity) {
-  const auto is_identity = [&](const Refined& r) { return mean_distance(r.cloth.nodes, model.body.nodes) < same_map * model.diagonal; };
+  const auto is_identity = [&](const Refined& r) { return stays(r.cloth, model); };
   std::vector<Refined> refined;
   for (const GrownSet& set : sets) refined.push_back(lay_set(set, model));
   int begin = 0;

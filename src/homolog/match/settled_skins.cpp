@@ -72,12 +72,6 @@ AxisSkin axis_skin(const std::vector<SurfaceSample>& surface, double diagonal) {
   return skin;
 }
 
-double diagonal_of(const std::vector<SurfaceSample>& surface) {
-  Eigen::AlignedBox3d box;
-  for (const SurfaceSample& s : surface) box.extend(s.position);
-  return box.diagonal().norm();
-}
-
 std::vector<Similarity> axis_similarities(const AxisSkin& model, const AxisSkin& data, Chirality chirality) {
   const double sign = chirality == Chirality::proper ? 1 : -1;
   std::vector<Similarity> all;

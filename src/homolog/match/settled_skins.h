@@ -25,8 +25,6 @@ struct AxisSkin {
 /// Of the first samples, which must be even.
 AxisSkin axis_skin(const std::vector<SurfaceSample>& surface, double diagonal);
 
-double diagonal_of(const std::vector<SurfaceSample>& surface);
-
 /// The 24 similarities of one chirality that lay the axes of the model on those of the data, centre on centre and as large.
 std::vector<Similarity> axis_similarities(const AxisSkin& model, const AxisSkin& data, Chirality chirality);
 

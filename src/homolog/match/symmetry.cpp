@@ -50,13 +50,25 @@ std::vector<WeighedPair> reflected_pairs(const Surface& surface, const Part& par
   return pairs;
 }
 
-Plane mirror_plane(const Surface& surface, const Part& part, const Match& match) {
+// Does the plane lay the places about where the map does, beside how far they spread?
+bool is_in_place(const Plane& plane, const std::vector<WeighedPair>& pairs) {
+  const Vec3 middle = means_of(pairs).from;
+  double missed = 0, spread = 0;
+  for (const WeighedPair& pair : pairs) {
+    missed += pair.weight * (reflected(plane, pair.from) - pair.to).squaredNorm();
+    spread += pair.weight * (pair.from - middle).squaredNorm();
+  }
+  return missed < spread;
+}
+
+std::optional<Plane> mirror_plane(const Surface& surface, const Part& part, const Match& match) {
   std::vector<WeighedPair> pairs;
   for (std::size_t i = 0; i < part.vertices.size(); ++i) {
     const Vec3& x = surface.nearest.mesh().vertices[part.vertices[i]];
     pairs.push_back({x, match.data_from_model(x), part.weights[i]});
   }
   Plane plane = best_mirror_plane(pairs);
+  if (!is_in_place(plane, pairs)) return {};
   for (int k = 0; k < refinements; ++k) plane = best_mirror_plane(reflected_pairs(surface, part, plane));
   return plane;
 }
@@ -81,12 +93,9 @@ double distance_of(const Surface& surface, const Part& part, const Movement& mov
 Symmetry symmetry_of(const Surface& surface, const Part& part, const Match& match) {
   Symmetry symmetry;
   symmetry.movement = match.similarity;
-  if (match.similarity.rotation.determinant() > 0) {
-    symmetry.error = distance_of(surface, part, match.similarity);
-    return symmetry;
-  }
-  symmetry.mirror = mirror_plane(surface, part, match);
-  symmetry.error = distance_of(surface, part, [&](const Vec3& x) { return reflected(*symmetry.mirror, x); });
+  if (match.similarity.rotation.determinant() < 0) symmetry.mirror = mirror_plane(surface, part, match);
+  symmetry.error = symmetry.mirror ? distance_of(surface, part, [&](const Vec3& x) { return reflected(*symmetry.mirror, x); })
+                                   : distance_of(surface, part, match.similarity);
   return symmetry;
 }
 

@@ -24,14 +24,15 @@ Plane best_mirror_plane(const std::vector<WeighedPair>& pairs);
 
 /// How a shape is laid onto itself.
 struct Symmetry {
-  std::optional<Plane> mirror;  ///< of a match that mirrors
-  Similarity movement;          ///< how a part of any other comes to lie on its repetition: the match's own
+  std::optional<Plane> mirror;  ///< of a match that mirrors a part in place
+  Similarity movement;          ///< how a part of any other comes to lie on its repetition, which may be its mirror image: the match's own
   double error = 0;             ///< how exact: root of the mean square distance from the surface at which the part lies then, in diagonals
 };
 
 /// The symmetry of every match of a shape with itself; `parts` of the same matches (covered_parts()). A plane is first the best one of the
 /// match's map on the covered part (weights by area and cover), then of the nearest places of the surface to what it reflects, twenty
-/// times. So a bent shape has a plane, too, with an error that tells that it is bent.
+/// times. So a bent shape has a plane, too, with an error that tells that it is bent. There is none where the match's map lays the part
+/// farther from the first plane's reflection, in the mean, than the part's radius (root mean square): on another copy.
 std::vector<Symmetry> symmetries_of(const MeshedShape& shape, const std::vector<Match>& matches, const std::vector<MatchParts>& parts);
 
 }  // namespace homolog

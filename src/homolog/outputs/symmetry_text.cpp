@@ -21,6 +21,11 @@ double rounded(double x) { return std::round(x * 1e4) / 1e4 + 0.0; }
 
 std::string told(const Vec3& x) { return fmt::format("({:.4g}, {:.4g}, {:.4g})", x.x(), x.y(), x.z()); }
 
+bool is_mirrored(const Mat3& rotation) { return rotation.determinant() < 0; }
+
+/// What follows the negation of x, if that comes first.
+Mat3 unmirrored(const Mat3& rotation) { return is_mirrored(rotation) ? Mat3(rotation * Vec3(-1, 1, 1).asDiagonal()) : rotation; }
+
 std::string movement_of(const Symmetry& symmetry) {
   if (symmetry.mirror) {
     const auto& [normal, offset] = *symmetry.mirror;
@@ -28,9 +33,10 @@ std::string movement_of(const Symmetry& symmetry) {
                        rounded(normal.z()), offset);
   }
   const auto& [scale, rotation, shift] = symmetry.movement;
-  const Eigen::AngleAxisd turn(rotation);
-  return fmt::format("repeated, {:.3f} times as large, turned by {:.1f} degrees about {}, then shifted by {}", scale,
-                     turn.angle() * 180 / M_PI, told(turn.axis()), told(shift));
+  const Eigen::AngleAxisd turn(unmirrored(rotation));
+  return fmt::format("repeated{}, {:.3f} times as large, turned by {:.1f} degrees about {}, then shifted by {}",
+                     is_mirrored(rotation) ? " as its mirror image (x negated first)" : "", scale, turn.angle() * 180 / M_PI,
+                     told(turn.axis()), told(shift));
 }
 
 ordered_json list_of(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
@@ -41,9 +47,10 @@ ordered_json to_json(const Symmetry& symmetry) {
         {"kind", "mirrored"}, {"normal", list_of(symmetry.mirror->normal)}, {"offset", symmetry.mirror->offset}, {"error", symmetry.error}};
   }
   const auto& [scale, rotation, shift] = symmetry.movement;
-  const Eigen::AngleAxisd turn(rotation);
-  return {{"kind", "repeated"},      {"scale", scale},         {"axis", list_of(turn.axis())}, {"degrees", turn.angle() * 180 / M_PI},
-          {"shift", list_of(shift)}, {"error", symmetry.error}};
+  const Eigen::AngleAxisd turn(unmirrored(rotation));
+  return {{"kind", "repeated"},           {"mirrored", is_mirrored(rotation)},    {"scale", scale},
+          {"axis", list_of(turn.axis())}, {"degrees", turn.angle() * 180 / M_PI}, {"shift", list_of(shift)},
+          {"error", symmetry.error}};
 }
 
 }  // namespace
