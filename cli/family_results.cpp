@@ -78,8 +78,8 @@ void write_results(const ResultFolder& folder, const DescribedFile& model, const
       {"data.part.ply", [&](const Sink& sink) { write_part_ply(data.mesh, part.data.vertices, sink); }},
       {"model.landmarks.csv", whole(landmarks_csv(on_model))},
       {"data.landmarks.csv", whole(landmarks_csv(on_data))},
-      {"model.mrk.json", whole(landmarks_markups(on_model))},
-      {"data.mrk.json", whole(landmarks_markups(on_data))},
+      {"model.mrk.json", whole(landmarks_markups(on_model, model.shape.ras))},
+      {"data.mrk.json", whole(landmarks_markups(on_data, data.shape.ras))},
       {"report.html", whole(match_report(model.meshed(), data.meshed(), family, parts, params, symmetries))}};
   if (results.symmetries) files.emplace_back("symmetry.json", whole(symmetries_json(symmetries)));
   folder.write(files);

@@ -54,7 +54,7 @@ int run_points(const PointsOptions& options) {
   if (folder.wanted()) {
     folder.write({{"points.json", whole(json)},
                   {"points.csv", whole(landmarks_csv(landmarks))},
-                  {"points.mrk.json", whole(landmarks_markups(landmarks))},
+                  {"points.mrk.json", whole(landmarks_markups(landmarks, file.shape.ras))},
                   {"report.html", whole(points_report(file.meshed(), params))}});
   }
   console.watch().lap("writing results", landmarks.size(), "points");

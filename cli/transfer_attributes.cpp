@@ -9,6 +9,7 @@
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
 #include "homolog/match/carry_attributes.h"
+#include "homolog/match/fill_places.h"
 #include "homolog/outputs/attribute_files.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_attributes.h"
@@ -55,11 +56,13 @@ void add_attribute_options(CLI::App& verb, AttributeOptions& options) {
   verb.add_option("--labels", options.labels, "Fields that hold labels although their numbers are not whole by type.")
       ->type_name("NAME")
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  verb.add_flag("--fill", options.fill, "Leave no holes: what has no place gets what is nearest to where the match lays it.");
 }
 
 void check_options(const AttributeOptions& options, const std::string& out) {
   if (options.from.empty() && !options.onto.empty()) throw UsageError("--onto goes with --attributes");
   if (options.from.empty() && !options.labels.empty()) throw UsageError("--labels goes with --attributes");
+  if (options.from.empty() && options.fill) throw UsageError("--fill goes with --attributes");
   if (!options.from.empty() && !writes_attributes(out)) {
     throw UsageError(fmt::format("attributes are written as {}, not as '{}'", writable_attributes, out));
   }
@@ -73,15 +76,18 @@ int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& f
                                                       : read_mesh(transfer.options.onto, transfer.match.limits);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
-  const DenseMap map = places_on(giver, receiver, match, transfer.direction);
+  DenseMap map = places_on(giver, receiver, match, transfer.direction);
+  if (transfer.options.fill) {
+    fill_places(map.places, receiver, giver.mesh, match, forwards ? Direction::model_from_data : Direction::data_from_model);
+  }
   const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
   for (const std::string& loss : attribute_losses(giver, transfer.out, transfer.options.from)) console.warn(loss);
   write_files(attribute_files(carried, map.places, transfer.out, std::filesystem::path(transfer.options.from).filename().string()));
   console.clear();
   const std::string to = transfer.options.onto.empty() ? (forwards ? family.data_file : family.model_file) : transfer.options.onto;
-  print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} have none: outside the covered part, or torn\n",
+  print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} {}: outside the covered part, or torn\n",
                            told_attributes(carried), transfer.options.from, map.placed, map.places.size(), to,
-                           map.places.size() - map.placed) +
+                           map.places.size() - map.placed, transfer.options.fill ? "are filled with what is nearest" : "have none") +
                told_triangles(carried.texturing));
   if (map.placed > 0) return kFound;
   print_message("nothing found: no vertex has a place on the other mesh; are the meshes those that were matched?");

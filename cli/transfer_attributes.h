@@ -15,9 +15,10 @@ struct AttributeOptions {
   std::string from;                 ///< the file with the attributes; empty: none are carried
   std::string onto;                 ///< the mesh that receives them; empty: the one that was matched
   std::vector<std::string> labels;  ///< fields that are labels, whatever their type
+  bool fill = false;                ///< what has no place gets what is nearest
 };
 
-/// --attributes, --onto and --labels.
+/// --attributes, --onto, --labels and --fill.
 void add_attribute_options(CLI::App& verb, AttributeOptions& options);
 
 /// Throws UsageError for options without --attributes, and for an `out` that cannot be written.

@@ -51,7 +51,7 @@ constexpr const char* kExamples = R"(Examples:
 
 A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json, NA in .tps and .txt,
 9999 in .pts). Which part that is stands in parts.json beside match.json. Points of .mrk.json and .fcsv are taken to LPS, whichever system
-the file states. expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. In
+the file states, or to RAS where the mesh was saved so by 3D Slicer (SPACE=RAS). expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. In
 a .ply it is a property of the vertices beside quality, how surely they are covered.
 
 --attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
@@ -75,13 +75,19 @@ void check_options(const TransferOptions& options) {
   if (!options.mesh.empty() && ending != ".ply") throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
 }
 
-std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const std::string& shape) {
+/// A shape by the name of its file, and whether that states RAS (Mesh::ras).
+struct Side {
+  std::string file;
+  bool ras;
+};
+
+std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const Side& shape) {
   if (ending == ".csv") return carried_csv(landmarks);
   const std::vector<MarkupPoint> places = carried_places(landmarks);
-  const Specimen specimen{std::filesystem::path(shape).stem().string(), places};
+  const Specimen specimen{std::filesystem::path(shape.file).stem().string(), places};
   if (ending == ".tps") return tps_text(specimen);
   if (ending == ".txt") return morphologika_text(specimen);
-  return ending == ".pts" ? pts_text(places) : markups_text(places);
+  return ending == ".pts" ? pts_text(places) : markups_text(places, shape.ras);
 }
 
 std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
@@ -98,10 +104,10 @@ std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::v
   return landmarks;
 }
 
-/// What was carried, as text for the file, and how many of how many are there.
+/// What was carried, as text for the file, and how many of how many are there; missing ones were so in the file carried from.
 struct Carried {
   std::string text;
-  std::size_t there = 0, all = 0;
+  std::size_t there = 0, all = 0, missing = 0;
 };
 
 Carried carry_mesh(const MatchMap& match, const std::string& file, const ReadLimits& limits, Direction direction) {
@@ -112,14 +118,16 @@ Carried carry_mesh(const MatchMap& match, const std::string& file, const ReadLim
   return {carried_ply(mesh, vertices), result.there, vertices.size()};
 }
 
-/// `shape`: the one that is carried to.
-Carried carry_file(const MatchMap& match, const TransferOptions& options, const std::string& shape) {
+Carried carry_file(const MatchMap& match, const TransferOptions& options, const Side& from, const Side& to) {
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
   if (!options.mesh.empty()) return carry_mesh(match, options.mesh, options.match.limits, direction);
-  const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen), direction);
-  Carried result;
-  for (const CarriedLandmark& landmark : landmarks) result.there += landmark.point && landmark.point->is_there();
-  return {points_text(landmarks, lower_extension(options.out), shape), result.there, landmarks.size()};
+  const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen, from.ras), direction);
+  Carried result{points_text(landmarks, lower_extension(options.out), to), 0, landmarks.size()};
+  for (const CarriedLandmark& landmark : landmarks) {
+    result.there += landmark.point && landmark.point->is_there();
+    result.missing += !landmark.point;
+  }
+  return result;
 }
 
 int run_transfer(const TransferOptions& options) {
@@ -135,17 +143,18 @@ int run_transfer(const TransferOptions& options) {
     const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
     return transfer_attributes({options.match, options.attributes, options.out, direction}, family, match, console);
   }
-  const std::string& from = options.inverse ? family.data_file : family.model_file;
-  const std::string& to = options.inverse ? family.model_file : family.data_file;
+  Side from{family.model_file, family.model_ras}, to{family.data_file, family.data_ras};
+  if (options.inverse) std::swap(from, to);
   console.stage("carrying");
-  const Carried carried = carry_file(match, options, to);
+  const Carried carried = carry_file(match, options, from, to);
   write_file(options.out, carried.text);
   console.clear();
-  print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part\n", carried.there, carried.all,
-                           options.mesh.empty() ? "points" : "vertices", from, to, carried.all - carried.there));
+  print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}\n", carried.there, carried.all,
+                           options.mesh.empty() ? "points" : "vertices", from.file, to.file, carried.all - carried.there - carried.missing,
+                           carried.missing > 0 ? fmt::format(", {} missing before", carried.missing) : ""));
   if (carried.there > 0) return kFound;
   print_message(fmt::format("nothing found: no point lies in the part that match {} covers; are the points those of {}?",
-                            options.match.number, from));
+                            options.match.number, from.file));
   return kNothingFound;
 }
 

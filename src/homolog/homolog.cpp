@@ -150,6 +150,7 @@ Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional
   const Mat3 axes = part ? Mat3(Mat3::Identity()) : principal_axes(mesh);
   Shape shape = describe_upright(turned(mesh, axes.transpose()), params, part, watch);
   turn_shape(shape, axes);
+  shape.ras = mesh.ras;
   shape.surface_blocks = make_blocks(shape.surface);
   settle_body(shape.body);
   return shape;

@@ -2,6 +2,7 @@
 # homolog transfer as a user meets it.
 import csv
 import json
+import math
 import os
 
 import bear
@@ -31,7 +32,7 @@ class Transfer(Program):
     def test_points(self):
         done = self.run_it("transfer", "out/match.json", "--points", "points.csv", "--out", "carried.csv")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertEqual(done.stdout, "2 of 4 points carried from bear.off to bear_bis.off; 2 outside the covered part\n")
+        self.assertEqual(done.stdout, "2 of 4 points carried from bear.off to bear_bis.off; 1 outside the covered part, 1 missing before\n")
         rows = self.carried("carried.csv")
         self.assertEqual(list(rows), ["p0", "p1", "p2", "gone"])
         for label, place in (("p0", self.HEAD), ("p1", self.NECK)):
@@ -47,6 +48,27 @@ class Transfer(Program):
         self.assertEqual([p["positionStatus"] for p in points], ["defined", "defined", "undefined", "undefined"])
         self.assertLess(max(abs(a - b) for a, b in zip(points[0]["position"], self.HEAD)), 1e-6)
         self.assertNotIn("position", points[2])
+
+    def test_a_mesh_that_states_ras_keeps_its_numbers_and_its_points_say_so(self):
+        lines = self.read("bear.off").split("\n", 2)
+        count = [int(n) for n in lines[1].split()[:2]]
+        rows = lines[2].split("\n")
+        with open(self.path("ras.obj"), "w") as file:
+            file.write("# 3D Slicer output. SPACE=RAS\n")
+            file.writelines(f"v {row}\n" for row in rows[:count[0]])
+            file.writelines("f " + " ".join(str(int(n) + 1) for n in row.split()[1:4]) + "\n" for row in rows[count[0]:count[0] + count[1]])
+        self.run_it("match", "ras.obj", "bear_bis.off", "--mirror", "forbid", "--out", "ras", *COARSE)
+        x, y, z = self.HEAD
+        for system, position in (("RAS", [x, y, z]), ("LPS", [-x, -y, z])):
+            with open(self.path("head.mrk.json"), "w") as file:
+                point = {"label": "head", "position": position}
+                json.dump({"markups": [{"coordinateSystem": system, "controlPoints": [point]}]}, file)
+            done = self.run_it("transfer", "ras/match.json", "--points", "head.mrk.json", "--out", "there.mrk.json")
+            self.assertEqual((done.returncode, done.stderr), (0, ""))
+            there = json.loads(self.read("there.mrk.json"))["markups"][0]
+            self.assertEqual(there["coordinateSystem"], "LPS")
+            self.assertLess(math.dist(there["controlPoints"][0]["position"], bear.turned(self.HEAD)), 0.5)
+        self.assertEqual(json.loads(self.read("ras", "model.mrk.json"))["markups"][0]["coordinateSystem"], "RAS")
 
     def test_formats_of_morphometrics(self):
         with open(self.path("points.fcsv"), "w") as file:

@@ -7,6 +7,7 @@
 
 #include "homolog/base/parallel.h"
 #include "homolog/match/dense_faults.h"
+#include "homolog/match/fill_places.h"
 #include "homolog/shape/vertex_normals.h"
 #include "match/bent_ball.h"
 
@@ -97,6 +98,19 @@ std::size_t joined_legs(const Mesh& mesh, const std::function<std::optional<Vec3
     count += at && bt && std::max(at->y(), bt->y()) < 1.2 && (at->x() < 0) != (bt->x() < 0);
   }
   return count;
+}
+
+TEST(FillPlaces, LeavesNoVertexWithoutOneAndTheOthersAsTheyAre) {
+  const MatchMap match = match_by(bend);
+  std::vector<DensePlace> places = dense_maps(match, ball, bent).data_from_model.places;
+  const std::vector<DensePlace> before = places;
+  for (std::size_t i = 0; i < places.size(); i += 3) places[i] = {};
+  EXPECT_EQ(fill_places(places, ball, bent, match, Direction::data_from_model), (places.size() + 2) / 3);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    ASSERT_TRUE(places[i].is_there());
+    EXPECT_LT((places[i].position - before[i].position).norm(), i % 3 == 0 ? 0.05 * match.data_diagonal : 1e-12);
+    EXPECT_EQ(places[i].confidence, i % 3 == 0 ? 0 : before[i].confidence);
+  }
 }
 
 TEST(DenseMaps, NeverTearAVertexFromItsNeighboursToTheNextLimb) {

@@ -38,7 +38,7 @@ TEST(AttributeLosses, TellWhatAFormatCannotHold) {
   mesh.fields = {{"depth", Field::Kind::value, {}}};
   mesh.left_out = {"its animations"};
   EXPECT_THAT(attribute_losses(mesh, "a.ply", "b.glb"), ElementsAre("b.glb: not carried: its animations"));
-  EXPECT_EQ(attribute_losses(mesh, "a.glb", "b").back(), ".glb files hold no values and no labels; .ply files do");
+  EXPECT_EQ(attribute_losses(mesh, "a.obj", "b").back(), ".obj files hold no values and no labels; .ply and .glb files do");
 }
 
 }  // namespace

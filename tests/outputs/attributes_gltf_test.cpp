@@ -104,6 +104,21 @@ TEST(AttributesGltf, IsReadAsItWasWritten) {
   }
 }
 
+TEST(AttributesGltf, KeepsValuesAndWhatHasNone) {
+  AttributedMesh mesh = capsule_with_everything();
+  std::vector<double> depth(mesh.mesh.vertices.size(), 0.5);
+  depth[3] = std::nan("");
+  mesh.fields = {{"depth", Field::Kind::value, depth}};
+  const AttributedMesh again = read_again(attributes_gltf(mesh, "there/b.glb", "a.ply"));
+  ASSERT_EQ(again.fields.size(), 2u);
+  for (const Field& field : again.fields) {
+    EXPECT_EQ(field.kind, Field::Kind::value);
+    ASSERT_EQ(field.values.size(), again.mesh.vertices.size());
+    EXPECT_EQ(field.values[2], field.name == "depth" ? 0.5 : 1);
+    EXPECT_EQ(field.values[3], 0) << "no number, not carried";
+  }
+}
+
 TEST(AttributesGltf, WritesASecondSetOfWeightsWhereItIsNeeded) {
   AttributedMesh mesh = capsule_with_everything();
   mesh.rig.joints.resize(6, mesh.rig.joints[1]);

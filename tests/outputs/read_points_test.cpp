@@ -71,6 +71,12 @@ TEST(ReadMarkups, GoesByTheFilesOwnCoordinateSystem) {
   EXPECT_EQ(position(""), Vec3(1, 2, 3)) << "Slicer's schema: LPS unless it is stated";
 }
 
+TEST(ReadMarkups, StatesTheSystemOfTheMesh) {
+  const std::string text = markups_text({{"a", "", Vec3(1, 2, 3)}}, true);
+  EXPECT_THAT(text, testing::HasSubstr("\"coordinateSystem\": \"RAS\""));
+  EXPECT_EQ(read_markups(text, "a")[0].position, Vec3(-1, -2, 3));
+}
+
 TEST(ReadMarkups, TakesUndefinedPointsForMissingWhateverTheirPosition) {
   // Slicer itself writes an empty string where a position would stand.
   const auto points = read_markups(R"({"markups": [{"coordinateSystem": "LPS", "controlPoints": [

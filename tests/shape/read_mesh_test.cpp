@@ -45,6 +45,13 @@ TEST_F(ReadMesh, AppliesTheTransformsOfGltfNodes) {
   expect_error("a.gltf", gltf_text(), "a buffer is longer than its data");
 }
 
+TEST_F(ReadMesh, KnowsMeshesThatStateRas) {
+  const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  EXPECT_TRUE(read("a.obj", "# 3D Slicer output. SPACE=RAS\n" + triangle).ras);
+  EXPECT_FALSE(read("b.obj", "# 3D Slicer output. SPACE=LPS\n" + triangle).ras);
+  EXPECT_FALSE(read("c.obj", triangle).ras);
+}
+
 TEST_F(ReadMesh, OpensNothingOutsideTheFolderOfAScene) {
   std::filesystem::create_directory(folder_ / "below");
   for (const char* name : {"outside.bin", "below/inside.bin"}) write(name, std::string(240, '\0'));

@@ -52,6 +52,23 @@ TEST_F(ReadObjAttributes, TakesUvsAndMaterialsOfTheTrianglesThatPolygonsBecome) 
   EXPECT_EQ(told_attributes(mesh), "UVs, 3 materials");
 }
 
+TEST_F(ReadObjAttributes, FindsPicturesBehindOptionsAndTellsWhatElseThereIsOnce) {
+  std::vector<std::string> asked;
+  const std::string library =
+      "newmtl a\nmap_Kd -s 1 1 1 -blendu on -o 0.5 red skin.png\nmap_Bump -bm 0.2 bump.png\nnewmtl b\nmap_Kd none.png\n"
+      "newmtl c\nmap_Kd none.png\nmap_Bump bump.png\nnorm n.png\n";
+  const AttributedMesh mesh = read_obj_attributes("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n", "a.obj",
+                                                  [&](const std::string& name) -> std::optional<std::string> {
+                                                    asked.push_back(name);
+                                                    if (name == "m.mtl") return library;
+                                                    if (name == "red skin.png") return "PNG";
+                                                    return {};
+                                                  });
+  EXPECT_THAT(asked, ElementsAre("m.mtl", "red skin.png", "none.png", "none.png"));
+  EXPECT_THAT(mesh.missing, ElementsAre("none.png"));
+  EXPECT_THAT(mesh.left_out, ElementsAre("map_Bump, norm of m.mtl"));
+}
+
 TEST_F(ReadObjAttributes, TakesColoursIfAllVerticesHaveThem) {
   EXPECT_EQ(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n").colours[0], (Rgba{1, 0, 0.5f, 1}));
   EXPECT_TRUE(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0\nv 0 1 0 1\nf 1 2 3\n").colours.empty());

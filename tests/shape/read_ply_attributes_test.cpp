@@ -53,6 +53,25 @@ TEST(ReadPlyAttributes, TakesPartOfAColourForALabel) {
   EXPECT_EQ(told_attributes(mesh), "labels red");
 }
 
+TEST(ReadPlyAttributes, TakesUvsByTheirNames) {
+  for (const auto& [u, v] : {std::pair("s", "t"), std::pair("u", "v"), std::pair("texture_u", "texture_v")}) {
+    const std::string names = std::string("property float ") + u + "\nproperty float " + v + "\nproperty float depth\n";
+    const AttributedMesh mesh = read_ply_attributes(ply(names, "0 0 0 .25 0 7\n1 0 0 1 nan 7\n0 1 0 0 1 7\n"), "a.ply");
+    ASSERT_EQ(mesh.texturing.uvs.size(), 3u);
+    EXPECT_EQ(mesh.texturing.uvs[0], (Uv{0.25, 0}));
+    EXPECT_EQ(mesh.texturing.uvs[1], (Uv{1, 0})) << "a number that is none is 0";
+    EXPECT_TRUE(mesh.texturing.has_uvs(0));
+    EXPECT_EQ(told_attributes(mesh), "values depth, UVs");
+  }
+}
+
+TEST(ReadPlyAttributes, TellsWhatFacesSayAndIsNotCarried) {
+  const std::string content =
+      "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nproperty float depth\n"
+      "element face 1\nproperty list uchar int vertex_indices\nproperty int part\nend_header\n0 0 0 1\n1 0 0 1\n0 1 0 1\n3 0 1 2 5\n";
+  EXPECT_THAT(read_ply_attributes(content, "a.ply").left_out, testing::ElementsAre("part of its faces; give it to the vertices"));
+}
+
 TEST_F(ReadAttributes, RefusesWhatSaysNothingOrCannot) {
   const auto message = [&](const std::string& name, const std::string& content) {
     try {

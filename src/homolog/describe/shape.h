@@ -16,6 +16,7 @@ namespace homolog {
 
 struct Shape {
   std::string name;     ///< how outputs call it: the file's name without its folder
+  bool ras = false;     ///< Mesh::ras
   double diagonal = 0;  ///< of the bounding box of the part in use, in the file's units
   Interior interior;
   double guessed = 0;                  ///< share of the volume that the voxeliser had to guess (open meshes), 0 to 1

@@ -35,9 +35,7 @@ std::vector<std::string> attribute_losses(const AttributedMesh& giver, const std
   for (const std::string& name : giver.missing) losses.push_back(fmt::format("{} names {}, which is not there", from, name));
   for (const std::string& what : giver.left_out) losses.push_back(fmt::format("{}: not carried: {}", from, what));
   const std::string ending = lower_extension(out);
-  if (ending != ".ply" && !giver.fields.empty()) {
-    losses.push_back(fmt::format("{} files hold no values and no labels; .ply files do", ending));
-  }
+  if (ending == ".obj" && !giver.fields.empty()) losses.emplace_back(".obj files hold no values and no labels; .ply and .glb files do");
   if (ending == ".ply" && !giver.texturing.corners.empty()) {
     losses.emplace_back("UVs and materials are not written to a .ply; an .obj or a .glb holds them");
   }

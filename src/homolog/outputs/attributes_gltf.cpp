@@ -93,6 +93,20 @@ int add_uvs(GltfContent& content, const Texturing& texturing, const Split& split
   return add_table(content, values, 2, GltfTarget::vertices);
 }
 
+/// As attributes of the file's own. glTF knows no number that is none: it is 0, and such vertices are not _CARRIED.
+void add_fields(GltfContent& content, const std::vector<Field>& fields, const Split& split, ordered_json& attributes) {
+  Floats carried(split.vertex_of.size(), 1);
+  for (const Field& field : fields) {
+    Floats values;
+    for (const double value : spread(field.values, split)) {
+      if (!std::isfinite(value)) carried[values.size()] = 0;
+      values.push_back(std::isfinite(value) ? static_cast<float>(value) : 0);
+    }
+    attributes["_" + field.name] = add_table(content, values, 1, GltfTarget::vertices);
+  }
+  attributes["_CARRIED"] = add_table(content, carried, 1, GltfTarget::vertices);
+}
+
 /// Four influences of every vertex, from the first-th on.
 void add_set(GltfContent& content, const std::vector<Influences>& influences, std::size_t first, ordered_json& attributes) {
   std::vector<std::uint16_t> joints;
@@ -127,6 +141,7 @@ Tables add_tables(GltfContent& content, const AttributedMesh& mesh, const std::v
   tables.attributes["NORMAL"] = add_table(content, normals, 3, GltfTarget::vertices);
   if (!mesh.colours.empty()) tables.attributes["COLOR_0"] = add_colours(content, spread(mesh.colours, split));
   if (!mesh.texturing.uvs.empty()) tables.attributes["TEXCOORD_0"] = add_uvs(content, mesh.texturing, split);
+  if (!mesh.fields.empty()) add_fields(content, mesh.fields, split, tables.attributes);
   if (!mesh.rig.joints.empty()) add_influences(content, spread(mesh.rig.influences, split), tables.attributes);
   for (const ShapeKey& key : mesh.shape_keys) {
     std::vector<Vec3> moved = vertices;

@@ -44,10 +44,10 @@ std::string landmarks_csv(const std::vector<Landmark>& landmarks) {
   return text;
 }
 
-std::string landmarks_markups(const std::vector<Landmark>& landmarks) {
+std::string landmarks_markups(const std::vector<Landmark>& landmarks, bool ras) {
   std::vector<MarkupPoint> points;
   for (const Landmark& landmark : landmarks) points.push_back({landmark.label, description(landmark), landmark.point.position});
-  return markups_text(points);
+  return markups_text(points, ras);
 }
 
 }  // namespace homolog

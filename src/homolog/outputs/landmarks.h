@@ -27,7 +27,7 @@ std::vector<Landmark> point_landmarks(const Shape& shape);
 /// label,x,y,z,radius,direction_x,direction_y,direction_z,response,confidence; what is not known stays empty.
 std::string landmarks_csv(const std::vector<Landmark>& landmarks);
 
-/// The file's coordinates are taken as they are; "coordinateSystem" states LPS, Slicer's own default.
-std::string landmarks_markups(const std::vector<Landmark>& landmarks);
+/// As in markups_text().
+std::string landmarks_markups(const std::vector<Landmark>& landmarks, bool ras = false);
 
 }  // namespace homolog

@@ -46,10 +46,10 @@ MarkupPoint read_point(const ordered_json& json, const Vec3& signs, const std::s
 
 }  // namespace
 
-std::string markups_text(const std::vector<MarkupPoint>& points) {
+std::string markups_text(const std::vector<MarkupPoint>& points, bool ras) {
   ordered_json list = ordered_json::array();
   for (const MarkupPoint& point : points) list.push_back(control_point(point, list.size() + 1));
-  ordered_json markup = {{"type", "Fiducial"}, {"coordinateSystem", "LPS"}, {"controlPoints", std::move(list)}};
+  ordered_json markup = {{"type", "Fiducial"}, {"coordinateSystem", ras ? "RAS" : "LPS"}, {"controlPoints", std::move(list)}};
   ordered_json json;
   json["@schema"] = kMarkupsSchema;
   json["markups"] = ordered_json::array({std::move(markup)});

@@ -15,8 +15,9 @@ struct MarkupPoint {
   std::optional<Vec3> position;  ///< none: missing (positionStatus "undefined", without coordinates)
 };
 
-/// One list of points. Coordinates are taken as they are; "coordinateSystem" states LPS, Slicer's own default.
-std::string markups_text(const std::vector<MarkupPoint>& points);
+/// One list of points. Coordinates are taken as they are; "coordinateSystem" states RAS if they are `ras` (Mesh::ras), else LPS, Slicer's
+/// own default.
+std::string markups_text(const std::vector<MarkupPoint>& points, bool ras = false);
 
 /// The control points of all markups in the file, in LPS: the signs of x and y of a file that states RAS are turned; one that states
 /// nothing is LPS, as Slicer's schema says. Whatever is not "defined" is missing. `file` names it in errors. Throws FileError.

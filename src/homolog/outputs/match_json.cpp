@@ -45,7 +45,11 @@ ordered_json to_json(const Shape& shape, const std::vector<SalientPoint>& follow
   ordered_json points = ordered_json::array();
   for (const SalientPoint& point : shape.points) points.push_back(to_json(point));
   for (const SalientPoint& point : followed) points.push_back(to_json(point));
-  return {{"file", shape.name}, {"diagonal", shape.diagonal}, {"points", std::move(points)}};
+  ordered_json json = {{"file", shape.name}};
+  if (shape.ras) json["coordinate_system"] = "RAS";
+  json["diagonal"] = shape.diagonal;
+  json["points"] = std::move(points);
+  return json;
 }
 
 ordered_json to_json(const StageCounts& counts) {

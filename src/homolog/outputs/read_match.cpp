@@ -50,9 +50,12 @@ ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
   return warp;
 }
 
+bool states_ras(const ordered_json& shape) { return shape.value("coordinate_system", "") == "RAS"; }
+
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   check_format(json, "homolog-match", file);
-  StoredFamily family{json.at("model").at("file"), json.at("data").at("file"), {}};
+  const ordered_json &model = json.at("model"), &data = json.at("data");
+  StoredFamily family{model.at("file"), data.at("file"), states_ras(model), states_ras(data), {}};
   for (const ordered_json& item : json.at("matches")) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
@@ -61,8 +64,8 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
       const auto values = item.at("data_from_model").at(row).get<std::array<double, 4>>();
       match.similarity.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
     }
-    match.model_diagonal = json["model"].at("diagonal");
-    match.data_diagonal = json["data"].at("diagonal");
+    match.model_diagonal = model.at("diagonal");
+    match.data_diagonal = data.at("diagonal");
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
       fail(file, "a size is not positive; the file is damaged");
     family.matches.push_back(std::move(match));

@@ -13,6 +13,7 @@ namespace homolog {
 
 struct StoredFamily {
   std::string model_file, data_file;
+  bool model_ras = false, data_ras = false;           ///< Mesh::ras of either
   std::vector<MatchMap> matches;                      ///< best first
   bool parts_known = false;                           ///< parts.json stands beside it: the matches carry samples
   std::size_t model_vertices = 0, data_vertices = 0;  ///< of the meshes that were matched; known if the parts are

@@ -54,6 +54,12 @@ Read reader_of(const std::string& extension) {
   return nullptr;
 }
 
+void turn_to_ras(std::vector<MarkupPoint>& points) {
+  for (MarkupPoint& point : points) {
+    if (point.position) point.position->head<2>() *= -1;
+  }
+}
+
 }  // namespace
 
 std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::string& file) {
@@ -68,7 +74,7 @@ std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::
   return points;
 }
 
-std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen) {
+std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen, bool ras) {
   const std::string extension = lower_extension(path), file = path.string();
   if (extension == ".tps") return chosen_specimen(read_tps(read_file(path), file), specimen, file).points;
   if (extension == ".txt") return chosen_specimen(read_morphologika(read_file(path), file), specimen, file).points;
@@ -78,7 +84,9 @@ std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const st
     throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
   }
   if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave --specimen out", file));
-  return read(read_file(path), file);
+  std::vector<MarkupPoint> points = read(read_file(path), file);
+  if (ras && (read == read_markups || read == read_fcsv)) turn_to_ras(points);
+  return points;
 }
 
 }  // namespace homolog

@@ -13,6 +13,7 @@ namespace homolog {
 struct Mesh {
   std::vector<Vec3> vertices;
   std::vector<std::array<std::uint32_t, 3>> triangles;
+  bool ras = false;  ///< the file states that x runs to the right and y to the front (SPACE=RAS, as 3D Slicer writes it); else LPS is meant
 };
 
 /// An axis-aligned box.

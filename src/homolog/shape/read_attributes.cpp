@@ -2,6 +2,7 @@
 #include "homolog/shape/read_attributes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/read_gltf.h"
@@ -26,6 +27,9 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
   }
   if (mesh.mesh.triangles.empty()) {
     throw FileError(fmt::format("{}: it is a point cloud, whose points are no corners of a surface; paint a mesh instead", file));
+  }
+  if (told_attributes(mesh).empty() && !mesh.left_out.empty()) {
+    throw FileError(fmt::format("{}: all that it says beside the form is not carried: {}", file, fmt::join(mesh.left_out, "; ")));
   }
   if (told_attributes(mesh).empty()) {
     throw FileError(fmt::format("{}: it says nothing but the form, neither colours nor UVs nor values; export it with them", file));

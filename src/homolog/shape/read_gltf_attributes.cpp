@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 #include "homolog/base/errors.h"
 #include "homolog/shape/gltf_primitives.h"
 #include "homolog/shape/read_gltf_animations.h"
@@ -15,6 +17,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t most_displacements = 50'000'000;
+constexpr std::size_t most_values = 50'000'000;
+constexpr int gltf_float = 5126;  // glTF's component type
 
 struct Reader {
   const GltfFile& file;
@@ -22,7 +26,7 @@ struct Reader {
   std::size_t most_triangles;
   AttributedMesh mesh;
   TargetsOfNodes targets = {};
-  bool has_colours = false, has_weaker_weights = false;
+  bool has_colours = false, has_weaker_weights = false, has_second_uvs = false;
 };
 
 /// Vertices that primitives of a mesh share, because they name the same tables.
@@ -57,6 +61,35 @@ void append_colours(Reader& reader, const json& attributes, std::size_t vertices
     Rgba& colour = reader.mesh.colours[reader.mesh.colours.size() - vertices + i];
     for (std::size_t k = 0; k < colours.columns; ++k) colour[k] = static_cast<float>(colours.at(i, k));
     colour = srgb_of_linear(colour);
+  }
+}
+
+Field& field_of(std::vector<Field>& fields, const std::string& name, bool is_label) {
+  for (Field& field : fields) {
+    if (field.name == name) return field;
+  }
+  fields.push_back({name, is_label ? Field::Kind::label : Field::Kind::value, {}});
+  return fields.back();
+}
+
+/// Attributes of the file's own, whose names begin with '_': those of one number are fields, labels if the numbers are whole by type.
+void append_fields(Reader& reader, const json& attributes, std::size_t first, std::size_t vertices) {
+  AttributedMesh& mesh = reader.mesh;
+  for (const auto& [name, value] : attributes.items()) {
+    reader.has_second_uvs |= name == "TEXCOORD_1";
+    if (!name.starts_with('_')) continue;
+    const std::size_t number = *number_at(reader.file, attributes, name.c_str());
+    const json& accessor = entry(reader.file, "accessors", number);
+    if (!accessor.contains("type") || accessor["type"] != "SCALAR") continue;
+    const bool is_whole = accessor.contains("componentType") && accessor["componentType"] != gltf_float;
+    Field& field = field_of(mesh.fields, name.substr(1), is_whole);
+    if (mesh.fields.size() * (first + vertices) > most_values) {
+      throw FileError(
+          fmt::format("{}: its vertices hold more than the {} values that are read; leave some out", reader.file.name, most_values));
+    }
+    field.values.resize(first, std::numeric_limits<double>::quiet_NaN());
+    const GltfTable table = read_gltf_table(reader.file, number, {"an attribute's table", {1}, vertices});
+    field.values.insert(field.values.end(), table.values.begin(), table.values.end());
   }
 }
 
@@ -136,6 +169,7 @@ Block block_of(Reader& reader, Instance& instance, const json& primitive) {
   append_colours(reader, attributes, vertices);
   append_shape_keys(reader, instance, primitive, first, vertices);
   append_influences(reader, instance, attributes, vertices);
+  append_fields(reader, attributes, first, vertices);
   const auto first_uv = append_uvs(reader, attributes, vertices);
   instance.blocks.push_back({attributes, targets, vertices, static_cast<std::uint32_t>(first), first_uv});
   return instance.blocks.back();
@@ -168,6 +202,8 @@ void complete(Reader& reader) {
   AttributedMesh& mesh = reader.mesh;
   if (!reader.has_colours) mesh.colours.clear();
   for (ShapeKey& key : mesh.shape_keys) key.displacements.resize(mesh.mesh.vertices.size(), Vec3::Zero());
+  for (Field& field : mesh.fields) field.values.resize(mesh.mesh.vertices.size(), std::numeric_limits<double>::quiet_NaN());
+  if (reader.has_second_uvs) mesh.left_out.emplace_back("a second set of UVs");
   mesh.rig.joints = reader.rig.joints();
   if (mesh.rig.joints.empty()) mesh.rig.influences.clear();
   if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");

@@ -98,6 +98,9 @@ Mesh read_content(const fs::path& path, std::string_view content, const ReadLimi
       path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
 }
 
+/// What 3D Slicer writes into the comments at the head of PLY, OBJ, STL and VTK files.
+bool states_ras(std::string_view content) { return content.substr(0, 1024).find("SPACE=RAS") != content.npos; }
+
 }  // namespace
 
 std::optional<std::string> find_beside(const fs::path& file, const std::string& name, std::uint64_t most) {
@@ -127,6 +130,7 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
   Mesh mesh = volume     ? label_surface(*volume, label, path.string())
               : is_scene ? read_scene(path)
                          : read_content(path, without_byte_order_mark(content), limits);
+  mesh.ras = !volume && states_ras(content);
   check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }

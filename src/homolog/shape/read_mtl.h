@@ -16,7 +16,12 @@ struct MtlMaterial {
   std::string picture;
 };
 
+struct MtlFile {
+  std::vector<MtlMaterial> materials;
+  std::vector<std::string> other_maps;  ///< keywords of other pictures than map_Kd, as "map_Bump", each once
+};
+
 /// newmtl, Kd, d and map_Kd; everything else is left out. Throws FileError, naming the line.
-std::vector<MtlMaterial> read_mtl(std::string_view content, const std::string& file);
+MtlFile read_mtl(std::string_view content, const std::string& file);
 
 }  // namespace homolog

@@ -2,6 +2,7 @@
 #include "homolog/shape/read_obj_attributes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -26,7 +27,7 @@ struct Face {
 struct Reader {
   Text text;
   const FindOther& find_other;
-  std::vector<std::string>& missing;
+  std::vector<std::string>&missing, &left_out;
   std::size_t vertices = 0;
   std::vector<Rgba> colours;  ///< of the vertices so far that have one
   std::vector<Face> faces;
@@ -67,6 +68,12 @@ int material_number(Texturing& texturing, const std::string& name) {
   return static_cast<int>(materials.size()) - 1;
 }
 
+/// Once, however many materials name it.
+void tell_missing(Reader& reader, const std::string& name) {
+  const std::string told = shown(name, longest_name);
+  if (std::find(reader.missing.begin(), reader.missing.end(), told) == reader.missing.end()) reader.missing.push_back(told);
+}
+
 int image_number(Reader& reader, const std::string& picture) {
   const std::string name = std::filesystem::path(picture).filename().string();
   auto& images = reader.texturing.images;
@@ -74,7 +81,7 @@ int image_number(Reader& reader, const std::string& picture) {
   if (found != images.end()) return static_cast<int>(found - images.begin());
   const std::optional<std::string> bytes = reader.find_other(picture);
   if (!bytes) {
-    reader.missing.push_back(shown(picture, longest_name));
+    tell_missing(reader, picture);
     return -1;
   }
   images.push_back({name, *bytes});
@@ -83,8 +90,12 @@ int image_number(Reader& reader, const std::string& picture) {
 
 void read_library(Reader& reader, const std::string& name) {
   const std::optional<std::string> content = reader.find_other(name);
-  if (!content) return reader.missing.push_back(shown(name, longest_name));
-  for (const auto& [material, picture] : read_mtl(*content, shown(name, longest_name))) {
+  if (!content) return tell_missing(reader, name);
+  const MtlFile mtl = read_mtl(*content, shown(name, longest_name));
+  if (!mtl.other_maps.empty()) {
+    reader.left_out.push_back(fmt::format("{} of {}", fmt::join(mtl.other_maps, ", "), shown(name, longest_name)));
+  }
+  for (const auto& [material, picture] : mtl.materials) {
     Material& own = reader.texturing.materials[material_number(reader.texturing, material.name)];
     own.colour = material.colour;
     if (!picture.empty()) own.image = image_number(reader, picture);
@@ -130,7 +141,7 @@ void append_corners(Reader& reader, const Face& face, const Mesh& triangles, std
 AttributedMesh read_obj_attributes(std::string_view content, const std::string& file, const FindOther& find_other) {
   AttributedMesh mesh;
   mesh.mesh = read_obj(content, file);
-  Reader reader{{file, content, 0}, find_other, mesh.missing, 0, {}, {}, {}, -1};
+  Reader reader{{file, content, 0}, find_other, mesh.missing, mesh.left_out, 0, {}, {}, {}, -1};
   std::string_view line;
   std::string joined;
   while (next_whole_line(reader.text, line, joined)) read_line(reader, line);

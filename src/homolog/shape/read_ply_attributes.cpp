@@ -85,12 +85,46 @@ bool is_geometry(const Column& column) {
   return std::find(std::begin(names), std::end(names), column.name) != std::end(names);
 }
 
+/// Takes the columns of UVs away, as different programs call them, and lays the triangles by them; vertices on seams stand twice in the
+/// file.
+Texturing take_uvs(std::vector<Column>& columns, const Mesh& mesh) {
+  static const std::pair<const char*, const char*> names[] = {{"s", "t"}, {"u", "v"}, {"texture_u", "texture_v"}};
+  const auto find = [&](const char* name) {
+    return std::find_if(columns.begin(), columns.end(), [&](const Column& column) { return column.name == name; });
+  };
+  const auto known = [](double x) { return std::isfinite(x) ? x : 0; };
+  Texturing texturing;
+  for (const auto& [u, v] : names) {
+    if (find(u) == columns.end() || find(v) == columns.end()) continue;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) texturing.uvs.push_back({known(find(u)->values[i]), known(find(v)->values[i])});
+    texturing.corners = mesh.triangles;
+    texturing.material_of.assign(mesh.triangles.size(), -1);
+    std::erase_if(columns, [&, first = u, second = v](const Column& column) { return column.name == first || column.name == second; });
+    break;
+  }
+  return texturing;
+}
+
+/// What faces say beside their corners, by name.
+std::string told_face_properties(const PlyElement& faces) {
+  std::string names;
+  for (const PlyProperty& property : faces.properties) {
+    if (!property.name.starts_with("vertex_ind")) names += (names.empty() ? "" : ", ") + shown(property.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 AttributedMesh read_ply_attributes(std::string_view content, const std::string& file) {
   AttributedMesh mesh;
   mesh.mesh = read_ply(content, file);
   PlySource source = open_ply(content, file);
+  for (const PlyElement& element : source.header.elements) {
+    if (element.name == "face" && !told_face_properties(element).empty()) {
+      mesh.left_out.push_back(told_face_properties(element) + " of its faces; give it to the vertices");
+    }
+  }
   for (const PlyElement& element : source.header.elements) {
     if (element.name != "vertex") {
       skip_elements(source, element);
@@ -99,6 +133,7 @@ AttributedMesh read_ply_attributes(std::string_view content, const std::string& 
     std::vector<Column> columns = read_columns(source, element);
     std::erase_if(columns, is_geometry);
     mesh.colours = take_colours(columns);
+    mesh.texturing = take_uvs(columns, mesh.mesh);
     for (Column& column : columns) {
       mesh.fields.push_back({column.name, is_whole(column.type) ? Field::Kind::label : Field::Kind::value, std::move(column.values)});
     }
