@@ -5,6 +5,7 @@
 #include <malloc.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -30,7 +31,7 @@ struct NamedMesh {
 
 struct Options {
   std::vector<std::string> files;
-  std::vector<int> grids{64, 128, 192, 256, 512}, threads{1, 0};
+  std::vector<int> grids{64, 128, 192, 256, 512}, threads{1, 0}, points;
   int repeats = 3;
 };
 
@@ -86,6 +87,38 @@ double exponent(const std::vector<std::pair<int, double>>& times) {
   return (n * xy - x * y) / (n * xx - x * x);
 }
 
+// A ball with bumps of three sizes, evenly strewn, each about a salient point.
+fixtures::Solid bumpy_ball(int bumps) {
+  std::vector<fixtures::Solid> solids{fixtures::ball(Vec3::Zero(), 1)};
+  const double turn = M_PI * (3 - std::sqrt(5.0)), spacing = std::sqrt(4 * M_PI / bumps);
+  for (int i = 0; i < bumps; ++i) {
+    const double z = 1 - 2 * (i + 0.5) / bumps, r = std::sqrt(1 - z * z);
+    solids.push_back(fixtures::ball({r * std::cos(turn * i), r * std::sin(turn * i), z}, spacing * (0.2 + 0.05 * (7 * i % 3))));
+  }
+  return fixtures::join(solids);
+}
+
+// Turned, larger, and drawn out on one side.
+Mesh changed(Mesh mesh) {
+  const Mat3 turn = Eigen::AngleAxisd(1, Vec3(1, 2, 3).normalized()).toRotationMatrix();
+  for (Vec3& v : mesh.vertices) v = 1.7 * (turn * (v + Vec3(0.1 * v.x() * v.x(), 0, 0)));
+  return mesh;
+}
+
+// Every point of the two is searched.
+void measure_matching(int bumps, const Options& options) {
+  const Mesh mesh = mesh_of(bumpy_ball(bumps), 256);
+  Params params;
+  params.threads = 1;
+  params.match.points = 2000;
+  const Shape model = describe_shape(mesh, params), data = describe_shape(changed(mesh), params);
+  fmt::print("\nmatching {} with {} points, one thread\n", model.points.size(), data.points.size());
+  for (const Stage& stage : best_stages(options.repeats, [&](Stopwatch& watch) { match_shapes(model, data, params, &watch); })) {
+    fmt::print("  {:20} {:9.1f} CPU ms  {} {}\n", stage.name, stage.cpu_milliseconds, stage.count, stage.counted);
+  }
+  std::fflush(stdout);
+}
+
 void print_header() {
   fmt::print("\n{:14} {:>5} {:>7}  {:20} {:>9} {:>9} {:>9} {:>9}  of\n", "shape", "grid", "threads", "stage", "ms", "CPU ms", "x floor",
              "peak MiB");
@@ -133,6 +166,7 @@ int run(int argc, char** argv) {
   app.add_option("files", options.files, "Meshes, besides those made in code");
   app.add_option("--grids", options.grids, "Voxels along the longest side")->delimiter(',')->capture_default_str();
   app.add_option("--threads", options.threads, "Numbers of threads, 0 for all cores")->delimiter(',')->capture_default_str();
+  app.add_option("--points", options.points, "Besides, match two balls with about so many points")->delimiter(',');
   app.add_option("--repeats", options.repeats, "Runs of everything, of which the best counts")
       ->capture_default_str()
       ->check(CLI::Range(1, 100));
@@ -144,6 +178,7 @@ int run(int argc, char** argv) {
              scale_space_floor_ms(floor, 128.0 * 128 * 128));
   print_header();
   for (const NamedMesh& shape : meshes_of(options)) measure_shape(shape, options, floor);
+  for (const int bumps : options.points) measure_matching(bumps, options);
   return 0;
 }
 

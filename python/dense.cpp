@@ -13,6 +13,7 @@
 #include "arrays.h"
 #include "homolog/base/errors.h"
 #include "homolog/match/carry_attributes.h"
+#include "homolog/match/fill_places.h"
 #include "homolog/outputs/attribute_files.h"
 #include "homolog/outputs/morph.h"
 #include "homolog/outputs/write_file.h"
@@ -92,7 +93,7 @@ void take_as_labels(AttributedMesh& giver, const std::vector<std::string>& label
 /// What `from` says of its mesh, carried to another one and written; returns what could not be, in sentences, and how many vertices have a
 /// place.
 nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, const std::filesystem::path& out, const Places& vertices,
-                   const Triangles& faces, bool to_data, const std::vector<std::string>& labels) {
+                   const Triangles& faces, bool to_data, const std::vector<std::string>& labels, bool fill) {
   std::vector<std::string> losses;
   std::size_t placed = 0;
   {
@@ -103,7 +104,8 @@ nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, con
     take_as_labels(giver, labels);
     const Mesh receiver = mesh_of(vertices, faces);
     const DenseMaps maps = dense_maps(match, to_data ? giver.mesh : receiver, to_data ? receiver : giver.mesh);
-    const DenseMap& map = to_data ? maps.model_from_data : maps.data_from_model;
+    DenseMap map = to_data ? maps.model_from_data : maps.data_from_model;
+    if (fill) fill_places(map.places, receiver, giver.mesh, match, to_data ? Direction::model_from_data : Direction::data_from_model);
     const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
     write_files(attribute_files(carried, map.places, out, from.filename().string()));
     losses = attribute_losses(giver, out, from.string());
@@ -117,7 +119,7 @@ nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, con
 void bind_dense(nb::module_& module, nb::class_<MatchMap>& map) {
   map.def("dense", &dense, nb::arg("model_vertices"), nb::arg("model_faces"), nb::arg("data_vertices"), nb::arg("data_faces"));
   map.def("transfer", &transfer, nb::arg("source"), nb::arg("out"), nb::arg("vertices"), nb::arg("faces"), nb::arg("to_data"),
-          nb::arg("labels"));
+          nb::arg("labels"), nb::arg("fill"));
   module.def("between", &between, nb::arg("triangle"), nb::arg("barycentric"), nb::arg("faces"), nb::arg("values"), nb::arg("labels"));
   module.def("write_morph", &write_morph, nb::arg("path"), nb::arg("start"), nb::arg("end"), nb::arg("faces"), nb::arg("colours"));
 }

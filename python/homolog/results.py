@@ -6,7 +6,7 @@ import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, overload
 
 import numpy as np
 
@@ -22,6 +22,18 @@ def _places(points: Any) -> np.ndarray:
     if places.ndim not in (1, 2) or places.shape[-1] != 3:
         raise ValueError(f"the points have the shape {places.shape}, but must have (n, 3) or (3,)")
     return places
+
+
+_HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
+
+
+def _table(heads: list[str], rows: list[list[str]]) -> str:
+    """As notebooks show it."""
+
+    def line(cells: list[str], tag: str) -> str:
+        return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
+
+    return f"<table>{line(heads, 'th')}{''.join(line(row, 'td') for row in rows)}</table>"
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -114,6 +126,9 @@ class Match:
     def __repr__(self) -> str:
         return f"<homolog.Match: {', '.join(f'{h} {v}' for h, v in zip(_HEADS[1:], self._row()))}>"
 
+    def _repr_html_(self) -> str:
+        return _table(_HEADS[1:], [self._row()])
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Symmetry:
@@ -129,11 +144,9 @@ class Symmetry:
         return f"<homolog.Symmetry: {self.sentence}>"
 
 
-_HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
-
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Family(Sequence):
+class Family(Sequence[Match]):
     """All matches, best first; false when nothing was found, and `counts` tells at which stage the last candidate died."""
 
     matches: tuple[Match, ...]
@@ -147,7 +160,11 @@ class Family(Sequence):
     def __len__(self) -> int:
         return len(self.matches)
 
-    def __getitem__(self, rank):
+    @overload
+    def __getitem__(self, rank: int) -> Match: ...
+    @overload
+    def __getitem__(self, rank: slice) -> tuple[Match, ...]: ...
+    def __getitem__(self, rank: int | slice) -> Match | tuple[Match, ...]:
         return self.matches[rank]
 
     def dense(self, rank: int = 0) -> Dense:
@@ -158,19 +175,30 @@ class Family(Sequence):
         """The model turning into the data, by a match."""
         return self._laid(rank)[1]
 
-    def transfer(self, source: Any, out: Any, rank: int = 0, *, onto: Any = None, to_model: bool = False, labels: Sequence[str] = ()) -> int:
+    def transfer(
+        self,
+        source: Any,
+        out: Any,
+        rank: int = 0,
+        *,
+        onto: Any = None,
+        to_model: bool = False,
+        labels: Sequence[str] = (),
+        fill: bool = False,
+    ) -> int:
         """What is painted on a copy of the model, carried to the data and written as a file; returns how many vertices have it.
 
         `source` and `out` are .ply (colours, values, labels), .obj (UVs, materials, pictures), .glb or .gltf (these, colours, skins, shape
         keys). `onto`: the mesh that receives it, in the data's coordinates, in any form that `describe` takes; else the data. `to_model`:
-        from a copy of the data to the model. `labels`: fields that hold labels although their type is not whole. What `out` cannot hold is
-        told by a UserWarning. Throws OSError for files that cannot be read or written.
+        from a copy of the data to the model. `labels`: fields that hold labels although their type is not whole. `fill`: leave no holes,
+        what has no place gets what is nearest to where the match lays it. What `out` cannot hold is told by a UserWarning. Throws OSError
+        for files that cannot be read or written.
         """
         from homolog.shapes import arrays_of
 
         receiver = self.model if to_model else self.data
         vertices, faces = (receiver.vertices, receiver.faces) if onto is None else arrays_of(onto)[:2]
-        placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels))
+        placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill)
         for loss in losses:
             warnings.warn(loss, UserWarning, stacklevel=2)
         return placed
@@ -203,13 +231,10 @@ class Family(Sequence):
         return ", ".join(f"{stage} {count}" for stage, count in self.counts.items())
 
     def _repr_html_(self) -> str:
-        def line(cells: list[str], tag: str) -> str:
-            return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
-
         if not self.matches:
             return f"<p>{self!r}</p>"
         said = "".join(f"<li>{symmetry.sentence}</li>" for symmetry in self.symmetries)
-        table = f"<table>{line(_HEADS, 'th')}{''.join(line(row, 'td') for row in self._rows())}</table>"
+        table = _table(_HEADS, self._rows())
         doubt = f"<p>{self.doubt}</p>" if self.doubt else ""
         return table + doubt + (f"<ol>{said}</ol>" if said else "")
 

@@ -91,6 +91,7 @@ def test_covered_parts_are_weights_of_the_vertices(bear, family):
 def test_results_show_themselves(family):
     assert repr(family).splitlines()[0].split()[:3] == ["rank", "pairs", "confidence"]
     assert family._repr_html_().count("<tr>") == len(family) + 1
+    assert family[0]._repr_html_().count("<tr>") == 2
 
 
 def test_a_part_is_a_box_of_shares(bear):

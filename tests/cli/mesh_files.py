@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
-# One small closed solid, a ball with an ear, in every mesh format that the program reads. Standard library only.
+# One small closed solid, a ball with an ear, in every mesh format that the program reads, and clouds and label volumes. Standard library only.
 import base64
+import gzip
 import io
 import json
 import struct
@@ -9,6 +10,7 @@ import zipfile
 import bear
 import cloud_files
 import fbx_files
+import volume_files
 import vtk_files
 
 
@@ -258,4 +260,10 @@ def all_files():
         "cloud.xyz": cloud_files.xyz(),
         "cloud.ply": cloud_files.ply("ascii"),
         "binary_cloud.ply": cloud_files.ply("binary_little_endian"),
+        "labels.nii": volume_files.nifti(),
+        "packed.nii.gz": gzip.compress(volume_files.nifti(), mtime=0),
+        "labels.nrrd": volume_files.nrrd("raw"),
+        "packed.nrrd": volume_files.nrrd("gzip"),
+        "labels.mha": volume_files.metaimage(False),
+        "packed.mha": volume_files.metaimage(True),
     }

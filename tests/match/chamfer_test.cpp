@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "homolog/shape/distance_transform.h"
+
 namespace homolog {
 namespace {
 
@@ -55,6 +57,18 @@ TEST(Chamfer, DistanceBetweenVoxelsIsTrilinear) {
 TEST(Chamfer, OutsideTheGridTheWayToItIsAdded) {
   EXPECT_NEAR(distance_at(cube_distance(), frame().world_from_voxel(Vec3(33, 10, 10))), 0.5 * (8 + 10), 1e-6);
   EXPECT_TRUE(std::isinf(distance_at(cube_distance(), Vec3(NAN, 0, 0))));
+}
+
+TEST(Chamfer, WithoutTheTransformItIsTheSameAsLongAsItIsNear) {
+  const auto samples = sample_interior(cube(), 24);
+  for (const Vec3& shift : {Vec3(0, 0, 0), Vec3(0.3, -0.7, 1.1), Vec3(2.2, 0, 0), Vec3(1.4, 1.4, 1.4)}) {
+    const auto moved = [&](const Vec3& x) -> Vec3 { return x + shift; };
+    const double all = chamfer_distance(samples, moved, distance_transform(cube()), 1);
+    EXPECT_EQ(near_chamfer_distance(samples, moved, cube(), 1), all);
+  }
+  const auto away = [](const Vec3& x) -> Vec3 { return x + Vec3(4, 0, 0); };  // eight voxels
+  EXPECT_TRUE(std::isinf(near_chamfer_distance(samples, away, cube(), 1)));
+  EXPECT_TRUE(std::isinf(near_chamfer_distance({}, identity, cube(), 1)));
 }
 
 TEST(Chamfer, DataWithoutInsideIsInfinitelyFar) {

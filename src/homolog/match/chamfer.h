@@ -34,4 +34,9 @@ double distance_at(const Volume<float>& distance, const Vec3& world);
 double chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
                         const Volume<float>& distance, double data_diagonal);
 
+/// The same without a distance transform, from the voxels around each f(x): most lie inside, where it is 0. Infinite where one lies more
+/// than six voxels outside.
+double near_chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
+                             const Interior& data, double data_diagonal);
+
 }  // namespace homolog

@@ -46,10 +46,9 @@ double direction_cost(const Correspondence& a, const Correspondence& b) {
   return sum;
 }
 
-// How badly two candidates go together; infinite when they cannot.
-double pair_cost(const Correspondence& a, const Correspondence& b, const Shape& model, const Shape& data) {
-  if (a.model == b.model || a.data == b.data) return infinite;
-  const double log_a = std::log(a.data_point.radius / a.model_point.radius), log_b = std::log(b.data_point.radius / b.model_point.radius);
+// How badly two candidates go together, `log_a` and `log_b` being the logarithms of their radius ratios; infinite when they cannot.
+double pair_cost(const Correspondence& a, double log_a, const Correspondence& b, double log_b, const Shape& model, const Shape& data) {
+  if (a.model == b.model || a.data == b.data || std::abs(log_a - log_b) > 2 * ratio_limit) return infinite;
   const double straight = (a.model_point.position - b.model_point.position).norm();
   const double straight_data = (a.data_point.position - b.data_point.position).norm();
   const double ratio = std::min(ratio_cost(straight, straight_data, log_a, log_b),
@@ -92,11 +91,12 @@ Seed with_third(int a, int b, const CorrespondenceSet& candidates, const Eigen::
 std::vector<Seed> find_seeds(const CorrespondenceSet& candidates, const Shape& model, const Shape& data) {
   const int count = static_cast<int>(candidates.size());
   Eigen::MatrixXf costs = Eigen::MatrixXf::Constant(count, count, std::numeric_limits<float>::infinity());
-  parallel_for(count, [&](std::size_t a) {
-    for (int b = 0; b < count; ++b) {
-      // One order for both entries keeps the matrix symmetric to the last bit.
-      const std::size_t low = std::min<std::size_t>(a, b), high = std::max<std::size_t>(a, b);
-      costs(a, b) = static_cast<float>(pair_cost(candidates[low], candidates[high], model, data));
+  std::vector<double> log_ratio;
+  for (const Correspondence& c : candidates) log_ratio.push_back(std::log(c.data_point.radius / c.model_point.radius));
+  parallel_for(count, [&](std::size_t b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      costs(a, b) = static_cast<float>(pair_cost(candidates[a], log_ratio[a], candidates[b], log_ratio[b], model, data));
+      costs(b, a) = costs(a, b);
     }
   });
   std::vector<std::tuple<float, int, int>> order;

@@ -2,6 +2,7 @@
 #include "homolog/match/verify.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "homolog/base/parallel.h"
 #include "homolog/match/chamfer.h"
@@ -60,12 +61,18 @@ bool wanted(const Match& match, const Params& params) {
 
 void measure_chamfer(std::vector<Match>& matches, const Shape& model, const Shape& data) {
   if (matches.empty()) return;
-  const Volume<float> distance = distance_transform(data.interior);
   const std::vector<InteriorSample> samples = sample_interior(model.interior, lattice_cells);
+  std::vector<std::vector<InteriorSample>> covered(matches.size());
   parallel_for(matches.size(), [&](std::size_t m) {
-    const std::vector<SalientPoint> points = points_of(matches[m].pairs, &Correspondence::model_point);
-    matches[m].chamfer =
-        chamfer_distance(covered_samples(samples, points, covered_radii), matches[m].data_from_model, distance, data.diagonal);
+    covered[m] = covered_samples(samples, points_of(matches[m].pairs, &Correspondence::model_point), covered_radii);
+    matches[m].chamfer = near_chamfer_distance(covered[m], matches[m].data_from_model, data.interior, data.diagonal);
+  });
+  const auto is_far = [](const Match& match) { return std::isinf(match.chamfer); };
+  if (std::none_of(matches.begin(), matches.end(), is_far)) return;
+  const Volume<float> distance = distance_transform(data.interior);
+  parallel_for(matches.size(), [&](std::size_t m) {
+    if (!is_far(matches[m])) return;
+    matches[m].chamfer = chamfer_distance(covered[m], matches[m].data_from_model, distance, data.diagonal);
   });
 }
 
