@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
-#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python, documentation
-#   scripts/test.sh --all  besides: the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer, with ThreadSanitizer, and clang-tidy
+#   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python, documentation; then
+#                          the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer
+#   scripts/test.sh --all  besides: the unit tests with ThreadSanitizer, which must see a planted race, and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -32,7 +33,15 @@ finish() {
 # shellcheck disable=SC2317  # the functions below are called through step
 configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=ON && cmake --build --preset "$@"; }
 # shellcheck disable=SC2317
-unit_tests_of() { configure_and_build "$1" --target unit_tests && ASAN_OPTIONS=detect_stack_use_after_return=1 "build/$1/tests/unit_tests" --gtest_brief=1; }
+sanitized_tests() {
+  configure_and_build dev --target unit_tests && ASAN_OPTIONS=detect_stack_use_after_return=1 ctest --preset dev -R '^unit'
+}
+# shellcheck disable=SC2317
+threaded_tests() {
+  local tests=build/tsan/tests/unit_tests race=(--gtest_also_run_disabled_tests --gtest_filter='*PlantedRace')
+  configure_and_build tsan --target unit_tests && "$tests" --gtest_brief=1 || return 1
+  if TSAN_OPTIONS=exitcode=66 "$tests" "${race[@]}" &>/dev/null || [[ $? -ne 66 ]]; then echo "a planted race was not seen" >&2; return 1; fi
+}
 
 # From the same compiler and nanobind's same place each time, so that ccache has the library from the build before.
 # shellcheck disable=SC2317
@@ -51,9 +60,9 @@ step build configure_and_build release || finish
 step tests ctest --preset release || true
 step python python_package || true
 step docs scripts/build_site.sh || true
+step sanitize sanitized_tests || true
 if [[ $all == yes ]]; then
-  step sanitize unit_tests_of dev || true
-  step threads unit_tests_of tsan || true
+  step threads threaded_tests || true
   step checks scripts/check.sh || true
 else
   step checks scripts/check.sh --quick || true

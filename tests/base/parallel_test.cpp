@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cstdio>
 #include <mutex>
 #include <set>
 #include <stdexcept>
@@ -36,6 +37,13 @@ TEST(Parallel, LoopsMayContainLoops) {
     for (const int s : slots) sums[i] += s;
   });
   for (int i = 0; i < 40; ++i) EXPECT_EQ(sums[i], 100 * i);
+}
+
+// Run by scripts/test.sh under ThreadSanitizer, which must report it.
+TEST(Parallel, DISABLED_PlantedRace) {
+  long sum = 0;
+  parallel_for(1'000'000, [&](std::size_t i) { sum += static_cast<long>(i); });
+  std::printf("%ld\n", sum);
 }
 
 TEST(Parallel, OneThreadIsTheCallersOwn) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The only door to threads (oneTBB inside). Loops write to their own slot, so results do not depend on the number of threads.
+// The only door to threads (task_pool.h). Loops write to their own slot, so results do not depend on the number of threads.
 #pragma once
 
 #include <cstddef>
@@ -28,13 +28,11 @@ class Checkpoint {
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
-  ~ThreadLimit();
   ThreadLimit(const ThreadLimit&) = delete;
   ThreadLimit& operator=(const ThreadLimit&) = delete;
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  std::shared_ptr<void> control_;
 };
 
 }  // namespace homolog

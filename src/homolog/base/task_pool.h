@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+// oneTBB, whose code is compiled into task_pool.cpp alone: ThreadSanitizer must not look at it, for it sees only the half of it that stands
+// in headers.
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <memory>
+
+namespace homolog {
+
+/// Calls work(begin, end) for ranges that make up [0, count), on any threads. Exceptions reach the caller.
+void run_in_ranges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
+
+/// While it lives, at most `threads` threads work.
+std::shared_ptr<void> limit_of_threads(std::size_t threads);
+
+}  // namespace homolog
