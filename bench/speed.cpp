@@ -109,6 +109,7 @@ Mesh changed(Mesh mesh) {
 void measure_matching(int bumps, const Options& options) {
   const Mesh mesh = mesh_of(bumpy_ball(bumps), 256);
   Params params;
+  params.voxel.resolution = 384;  // so that even the bumps of five hundred are larger than the finest blur
   params.threads = 1;
   params.match.points = 2000;
   const Shape model = describe_shape(mesh, params), data = describe_shape(changed(mesh), params);
