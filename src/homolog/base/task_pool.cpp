@@ -7,9 +7,9 @@
 
 namespace homolog {
 
-void run_in_ranges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work) {
+void run_in_ranges(std::size_t count, void (*work)(void* loop, std::size_t begin, std::size_t end), void* loop) {
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, count),
-                    [&](const tbb::blocked_range<std::size_t>& range) { work(range.begin(), range.end()); });
+                    [=](const tbb::blocked_range<std::size_t>& range) { work(loop, range.begin(), range.end()); });
 }
 
 std::shared_ptr<void> limit_of_threads(std::size_t threads) {

@@ -4,13 +4,13 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <memory>
 
 namespace homolog {
 
-/// Calls work(begin, end) for ranges that make up [0, count), on any threads. Exceptions reach the caller.
-void run_in_ranges(std::size_t count, const std::function<void(std::size_t begin, std::size_t end)>& work);
+/// Calls work(loop, begin, end) for ranges that make up [0, count), on any threads. Exceptions reach the caller. A plain function, so that
+/// nothing is read of the caller's before it begins.
+void run_in_ranges(std::size_t count, void (*work)(void* loop, std::size_t begin, std::size_t end), void* loop);
 
 /// While it lives, at most `threads` threads work.
 std::shared_ptr<void> limit_of_threads(std::size_t threads);
