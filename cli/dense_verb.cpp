@@ -63,16 +63,16 @@ int run_dense(const DenseOptions& options) {
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
   const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model_vertices);
-  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data_vertices);
+  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model.vertices);
+  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data.vertices);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
   const DenseMaps maps = dense_maps(match, model, data);
   console.stage("writing results");
   write_maps(folder, family, options.match.number, model, data, maps);
   console.clear();
-  print_result(told("data_from_model", family.model_file, family.data_file, maps.data_from_model) +
-               told("model_from_data", family.data_file, family.model_file, maps.model_from_data));
+  print_result(told("data_from_model", family.model.file, family.data.file, maps.data_from_model) +
+               told("model_from_data", family.data.file, family.model.file, maps.model_from_data));
   if (maps.data_from_model.placed > 0) return kFound;
   print_message("nothing found: no vertex has a place; are the meshes those that were matched?");
   return kNothingFound;

@@ -70,14 +70,14 @@ int run_morph(const MorphOptions& options) {
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
   const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model_vertices);
-  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data_vertices);
+  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model.vertices);
+  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data.vertices);
   console.stage("laying the model onto the data");
   const DenseMaps maps = dense_maps(match, model, data);
   console.stage("writing results");
   write_files(morph_files(make_morph(match, model, maps), options));
   console.clear();
-  print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there\n", family.model_file, family.data_file,
+  print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there\n", family.model.file, family.data.file,
                            maps.data_from_model.placed, model.vertices.size()));
   return kFound;
 }

@@ -72,7 +72,7 @@ int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& f
   const bool forwards = transfer.direction == Direction::data_from_model;
   const AttributedMesh giver = read_giver(transfer.options, transfer.match.limits);
   const Mesh receiver = transfer.options.onto.empty() ? matched_mesh(transfer.match, "", forwards ? "data.part.ply" : "model.part.ply",
-                                                                     forwards ? family.data_vertices : family.model_vertices)
+                                                                     forwards ? family.data.vertices : family.model.vertices)
                                                       : read_mesh(transfer.options.onto, transfer.match.limits);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
@@ -84,7 +84,7 @@ int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& f
   for (const std::string& loss : attribute_losses(giver, transfer.out, transfer.options.from)) console.warn(loss);
   write_files(attribute_files(carried, map.places, transfer.out, std::filesystem::path(transfer.options.from).filename().string()));
   console.clear();
-  const std::string to = transfer.options.onto.empty() ? (forwards ? family.data_file : family.model_file) : transfer.options.onto;
+  const std::string to = transfer.options.onto.empty() ? (forwards ? family.data.file : family.model.file) : transfer.options.onto;
   print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} {}: outside the covered part, or torn\n",
                            told_attributes(carried), transfer.options.from, map.placed, map.places.size(), to,
                            map.places.size() - map.placed, transfer.options.fill ? "are filled with what is nearest" : "have none") +

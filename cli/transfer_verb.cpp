@@ -75,13 +75,7 @@ void check_options(const TransferOptions& options) {
   if (!options.mesh.empty() && ending != ".ply") throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
 }
 
-/// A shape by the name of its file, and whether that states RAS (Mesh::ras).
-struct Side {
-  std::string file;
-  bool ras;
-};
-
-std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const Side& shape) {
+std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const StoredShape& shape) {
   if (ending == ".csv") return carried_csv(landmarks);
   const std::vector<MarkupPoint> places = carried_places(landmarks);
   const Specimen specimen{std::filesystem::path(shape.file).stem().string(), places};
@@ -118,7 +112,7 @@ Carried carry_mesh(const MatchMap& match, const std::string& file, const ReadLim
   return {carried_ply(mesh, vertices), result.there, vertices.size()};
 }
 
-Carried carry_file(const MatchMap& match, const TransferOptions& options, const Side& from, const Side& to) {
+Carried carry_file(const MatchMap& match, const TransferOptions& options, const StoredShape& from, const StoredShape& to) {
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
   if (!options.mesh.empty()) return carry_mesh(match, options.mesh, options.match.limits, direction);
   const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen, from.ras), direction);
@@ -143,8 +137,8 @@ int run_transfer(const TransferOptions& options) {
     const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
     return transfer_attributes({options.match, options.attributes, options.out, direction}, family, match, console);
   }
-  Side from{family.model_file, family.model_ras}, to{family.data_file, family.data_ras};
-  if (options.inverse) std::swap(from, to);
+  const StoredShape& from = options.inverse ? family.data : family.model;
+  const StoredShape& to = options.inverse ? family.model : family.data;
   console.stage("carrying");
   const Carried carried = carry_file(match, options, from, to);
   write_file(options.out, carried.text);

@@ -31,41 +31,18 @@ constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
 constexpr std::size_t many_pieces = 3;       // so many share the samples, of which there are as many times more
 constexpr std::size_t repeated_pieces = 12;  // of a shape, that are looked for again in it
-constexpr std::size_t seeds_at_once = 24;    // whatever the number of threads
 constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
 constexpr std::size_t region_starts_of_a_chirality = 12;
 
-bool lies_in(const Seed& seed, const GrownSet& set) {
-  return std::all_of(seed.pairs.begin(), seed.pairs.end(), [&](const Correspondence& c) {
-    return std::any_of(set.pairs.begin(), set.pairs.end(),
-                       [&](const auto& other) { return c.model == other.model && c.data == other.data; });
-  });
-}
-
-// Sec. 6.2.2: what grows from the seeds, the best first; a seed that lies in what has grown before would grow to the same.
-std::vector<GrownSet> grow_seeds(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates,
-                                 const Shape& model, const Shape& data, double bending) {
-  std::vector<GrownSet> sets;
-  for (std::size_t first = 0; first < seeds.size(); first += seeds_at_once) {
-    std::vector<const Seed*> fresh;
-    for (std::size_t i = first; i < std::min(seeds.size(), first + seeds_at_once); ++i) {
-      if (std::none_of(sets.begin(), sets.end(), [&](const GrownSet& set) { return lies_in(seeds[i], set); })) fresh.push_back(&seeds[i]);
-    }
-    const std::size_t before = sets.size();
-    sets.resize(before + fresh.size());
-    parallel_for(fresh.size(),
-                 [&](std::size_t k) { sets[before + k] = grow_seed(*fresh[k], chirality, candidates, model, data, bending); });
-  }
-  return sets;
-}
-
-// The distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
+// Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
 std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model,
                                const Shape& data, const Params& params) {
-  std::vector<GrownSet> sets =
-      distinct_sets(grow_seeds(seeds, chirality, candidates, model, data, params.match.bending), sets_of_a_chirality, model);
+  std::vector<GrownSet> sets(seeds.size());
+  parallel_for(seeds.size(),
+               [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
+  sets = distinct_sets(std::move(sets), sets_of_a_chirality, model);
   const auto add = [&](const std::vector<GrownSet>& starts) { sets.insert(sets.end(), starts.begin(), starts.end()); };
   add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
   add(end_starts(model, data, chirality, end_starts_of_a_chirality));
@@ -199,6 +176,7 @@ Family find_symmetries(const Shape& shape, const Params& params, Stopwatch* watc
     lap(watch, "a piece", samples.size(), "samples");
   }
   keep_surest(family, params.match.matches);
+  family.counts.stages.back().second = static_cast<long>(family.matches.size());
   return family;
 }
 

@@ -52,7 +52,7 @@ TEST(DensePly, HoldsPlacesAndConfidenceAndIsReadAgain) {
 }
 
 TEST(DenseJson, CountsBothWays) {
-  const StoredFamily family{"a.off", "b.off", {}};
+  const StoredFamily family{{"a.off"}, {"b.off"}, {}};
   const auto json = nlohmann::json::parse(dense_json(family, 2, {some_places(), {}, {}}));
   EXPECT_EQ(json["format"], "homolog-dense");
   EXPECT_EQ(json["match"], 2);

@@ -47,8 +47,8 @@ struct ReadFamily : testing::Test {
 
 TEST_F(ReadFamily, ReadsBackWhatMatchJsonWrites) {
   const StoredFamily stored = read_family(folder / "match.json");
-  EXPECT_EQ(stored.model_file, "model.off");
-  EXPECT_EQ(stored.data_file, "data.off");
+  EXPECT_EQ(stored.model.file, "model.off");
+  EXPECT_EQ(stored.data.file, "data.off");
   EXPECT_FALSE(stored.parts_known);
   ASSERT_EQ(stored.matches.size(), 1u);
   const MatchMap& match = stored.matches[0];

@@ -55,7 +55,7 @@ bool states_ras(const ordered_json& shape) { return shape.value("coordinate_syst
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   check_format(json, "homolog-match", file);
   const ordered_json &model = json.at("model"), &data = json.at("data");
-  StoredFamily family{model.at("file"), data.at("file"), states_ras(model), states_ras(data), {}};
+  StoredFamily family{{model.at("file"), states_ras(model)}, {data.at("file"), states_ras(data)}, {}};
   for (const ordered_json& item : json.at("matches")) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
@@ -83,15 +83,15 @@ CoveredSamples read_samples(const ordered_json& side, const ordered_json& weight
 void add_parts(const ordered_json& json, const std::string& file, StoredFamily& family) {
   check_format(json, "homolog-parts", file);
   const ordered_json &model = json.at("model"), &data = json.at("data"), &matches = json.at("matches");
-  if (model.at("file") != family.model_file || data.at("file") != family.data_file || matches.size() != family.matches.size()) {
+  if (model.at("file") != family.model.file || data.at("file") != family.data.file || matches.size() != family.matches.size()) {
     fail(file, "it belongs to another match.json than the one beside it; run 'homolog match --out' again or take it away");
   }
   for (std::size_t i = 0; i < matches.size(); ++i) {
     family.matches[i].model = read_samples(model, matches[i].at("model"), file);
     family.matches[i].data = read_samples(data, matches[i].at("data"), file);
   }
-  family.model_vertices = model.at("vertices");
-  family.data_vertices = data.at("vertices");
+  family.model.vertices = model.at("vertices");
+  family.data.vertices = data.at("vertices");
   family.parts_known = true;
 }
 

@@ -11,12 +11,16 @@
 
 namespace homolog {
 
+struct StoredShape {
+  std::string file;
+  bool ras = false;          ///< Mesh::ras
+  std::size_t vertices = 0;  ///< of the mesh that was matched; known if the parts are
+};
+
 struct StoredFamily {
-  std::string model_file, data_file;
-  bool model_ras = false, data_ras = false;           ///< Mesh::ras of either
-  std::vector<MatchMap> matches;                      ///< best first
-  bool parts_known = false;                           ///< parts.json stands beside it: the matches carry samples
-  std::size_t model_vertices = 0, data_vertices = 0;  ///< of the meshes that were matched; known if the parts are
+  StoredShape model, data;
+  std::vector<MatchMap> matches;  ///< best first
+  bool parts_known = false;       ///< parts.json stands beside it: the matches carry samples
 };
 
 /// The bytes of a file, and its name for messages.
