@@ -21,17 +21,21 @@ bool has_directions(const Correspondence& c) { return c.model_point.direction_le
 
 Vec3 tip(const SalientPoint& point) { return point.position + point.radius * point.direction; }  // y = x + r p (Sec. 6.1)
 
+// Numbers in places_of().
+Eigen::Index position_of(const Correspondence& c) { return Eigen::Index{2} * c.model; }
+Eigen::Index tip_of(const Correspondence& c) { return position_of(c) + 1; }
+
 // What a correspondence demands of the spline, at a place of places_of().
 struct Constraint {
-  int place;
+  Eigen::Index place;
   Vec3 source, target;
   double nugget;
 };
 
 std::vector<Constraint> constraints_of(const Correspondence& c, bool with_direction) {
   const SalientPoint &x = c.model_point, &y = c.data_point;
-  std::vector<Constraint> constraints{{2 * c.model, x.position, y.position, place_nugget * x.radius}};
-  if (with_direction && has_directions(c)) constraints.push_back({2 * c.model + 1, tip(x), tip(y), direction_nugget * x.radius});
+  std::vector<Constraint> constraints{{position_of(c), x.position, y.position, place_nugget * x.radius}};
+  if (with_direction && has_directions(c)) constraints.push_back({tip_of(c), tip(x), tip(y), direction_nugget * x.radius});
   return constraints;
 }
 
@@ -39,8 +43,8 @@ std::vector<Constraint> constraints_of(const Correspondence& c, bool with_direct
 std::vector<Vec3> places_of(const CorrespondenceSet& candidates, std::size_t count) {
   std::vector<Vec3> places(2 * count, Vec3::Zero());
   for (const Correspondence& c : candidates) {
-    places[2 * c.model] = c.model_point.position;
-    places[2 * c.model + 1] = tip(c.model_point);
+    places[position_of(c)] = c.model_point.position;
+    places[tip_of(c)] = tip(c.model_point);
   }
   return places;
 }
@@ -93,8 +97,8 @@ struct Grower {
   }
 
   Expectation expect(const Correspondence& c) const {
-    const double s = free_part.scale, variance = spline.variance(2 * c.model) + place_nugget * c.model_point.radius;
-    return {spline.at(2 * c.model, free_part), s * s * bending_length * variance};
+    const double s = free_part.scale, variance = spline.variance(position_of(c)) + place_nugget * c.model_point.radius;
+    return {spline.at(position_of(c), free_part), s * s * bending_length * variance};
   }
 
   // Negative log likelihood of c, up to a constant, in units where each part is about 1 when c is right. What is not below `limit` may be
@@ -106,7 +110,7 @@ struct Grower {
     const double log_radius = std::log(c.data_point.radius / (free_part.scale * c.model_point.radius)) / radius_spread;
     const double sum = place + log_radius * log_radius + unlike;
     if (sum >= limit || !has_directions(c)) return sum;
-    const Vec3 direction = (spline.at(2 * c.model + 1, free_part) - expected.place).normalized();
+    const Vec3 direction = (spline.at(tip_of(c), free_part) - expected.place).normalized();
     const double angle = std::acos(std::clamp(direction.dot(c.data_point.direction), -1.0, 1.0)) / angle_spread;
     return sum + 0.5 * angle * angle;
   }
