@@ -71,6 +71,11 @@ TEST_F(ReadVtp, RefusesDamagedFiles) {
   expect_error("a.vtp", with(packed, "NumberOfPoints=\"5\"", "NumberOfPoints=\"4\""), "another length");
   expect_error("a.vtp", with(packed, "offset=\"0\"", "offset=\"99999\""), "behind the end");
   expect_error("a.vtp", packed.substr(0, packed.size() - 80), "longer than the file");
+  const std::string negative =
+      "<VTKFile type=\"PolyData\" header_type=\"Int16\"><PolyData><Piece NumberOfPoints=\"1\"><Points><DataArray type=\"Float32\" "
+      "NumberOfComponents=\"3\" format=\"appended\" offset=\"0\"/></Points></Piece></PolyData><AppendedData encoding=\"raw\">_\xff\xff"
+      "</AppendedData></VTKFile>";
+  expect_error("a.vtp", negative, "longer than the file");
 }
 
 }  // namespace

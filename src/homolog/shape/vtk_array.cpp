@@ -45,7 +45,7 @@ class Bytes {
   /// A number of bytes or of pieces.
   std::size_t take_size() {
     const double size = stored_number(take(bytes_of(storage_.sizes)).data(), storage_.sizes, storage_.order);
-    if (!(size < 1e15)) fail(storage_, "an array is longer than the file");
+    if (!(size >= 0 && size < 1e15)) fail(storage_, "an array is longer than the file");  // headers may say that sizes have signs
     return static_cast<std::size_t>(size);
   }
 
