@@ -95,8 +95,9 @@ Texturing take_uvs(std::vector<Column>& columns, const Mesh& mesh) {
   const auto known = [](double x) { return std::isfinite(x) ? x : 0; };
   Texturing texturing;
   for (const auto& [u, v] : names) {
-    if (find(u) == columns.end() || find(v) == columns.end()) continue;
-    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) texturing.uvs.push_back({known(find(u)->values[i]), known(find(v)->values[i])});
+    const auto along = find(u), up = find(v);
+    if (along == columns.end() || up == columns.end()) continue;
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) texturing.uvs.push_back({known(along->values[i]), known(up->values[i])});
     texturing.corners = mesh.triangles;
     texturing.material_of.assign(mesh.triangles.size(), -1);
     std::erase_if(columns, [&, first = u, second = v](const Column& column) { return column.name == first || column.name == second; });
@@ -121,9 +122,8 @@ AttributedMesh read_ply_attributes(std::string_view content, const std::string& 
   mesh.mesh = read_ply(content, file);
   PlySource source = open_ply(content, file);
   for (const PlyElement& element : source.header.elements) {
-    if (element.name == "face" && !told_face_properties(element).empty()) {
-      mesh.left_out.push_back(told_face_properties(element) + " of its faces; give it to the vertices");
-    }
+    const std::string told = element.name == "face" ? told_face_properties(element) : "";
+    if (!told.empty()) mesh.left_out.push_back(told + " of its faces; give it to the vertices");
   }
   for (const PlyElement& element : source.header.elements) {
     if (element.name != "vertex") {
