@@ -2,8 +2,15 @@
 #include "homolog/match/contact.h"
 
 #include <cmath>
+#include <utility>
 
 namespace homolog {
+
+LaidSkin laid_skin(std::vector<SurfaceSample> samples, const std::vector<int>& order) {
+  SampleBlocks blocks = make_blocks(samples, order);
+  const double spacing = typical_spacing(positions_of(samples));
+  return {std::move(samples), std::move(blocks), spacing};
+}
 
 bool reaches(const SurfaceSample& sample, const NearestSample& found, const Skin& skin, double reach) {
   if (found.sample < 0 || !(found.distance < reach + skin.spacing)) return false;

@@ -17,6 +17,18 @@ struct Skin {
   double spacing;
 };
 
+/// Samples with the blocks they lie in.
+struct LaidSkin {
+  std::vector<SurfaceSample> samples;
+  SampleBlocks blocks;
+  double spacing;
+
+  Skin view() const { return {samples, blocks, spacing}; }
+};
+
+/// `order`: as make_blocks() takes it.
+LaidSkin laid_skin(std::vector<SurfaceSample> samples, const std::vector<int>& order);
+
 /// Whether the sample found nearest of the skin is not farther than `reach` along its normal, and the normals are within 60 degrees.
 bool reaches(const SurfaceSample& sample, const NearestSample& found, const Skin& skin, double reach);
 

@@ -89,15 +89,14 @@ double turning_at(const Cloth& cloth, const Body& model, int node) {
 
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   const double extent = extent_of(cloth, model, data), reach = reached_share * extent;
-  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
-  if (laid.empty() || data.surface.empty()) return {};
-  const SampleBlocks laid_blocks = make_blocks(laid, model.body.skin_order);
-  const Skin laid_skin{laid, laid_blocks, typical_spacing(positions_of(laid))};
+  if (model.body.surface_count == 0 || data.surface.empty()) return {};
+  const LaidSkin skin = laid_skin(mapped_skin(cloth, model.body), model.body.skin_order);
+  const std::vector<SurfaceSample>& laid = skin.samples;
   const Skin data_skin{data.surface, data.surface_blocks, data.surface_spacing};
   const auto nearest = nearest_to(laid, data_skin, std::max(reach + data_skin.spacing, skin_near * extent));
   Evidence evidence;
   evidence.model_reached = model_reached(laid, nearest, data_skin, model.body, data.interior, reach);
-  evidence.data_near_reached = near_reached(laid_skin, data, reach, near_share * extent);
+  evidence.data_near_reached = near_reached(skin.view(), data, reach, near_share * extent);
   evidence.turning = mean_turning(cloth, model.body);
   evidence.ways_changed = ways_changed(laid, cloth.scale, model, data, extent);
   evidence.thickness_changed = thickness_changed(laid, nearest, model, data, extent);
@@ -106,12 +105,11 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
 }
 
 double data_reached(const Cloth& cloth, const Shape& model, const Shape& data) {
-  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
-  if (laid.empty() || data.surface.empty()) return 0;
-  const SampleBlocks blocks = make_blocks(laid, model.body.skin_order);
-  const Skin skin{laid, blocks, typical_spacing(positions_of(laid))};
+  if (model.body.surface_count == 0 || data.surface.empty()) return 0;
+  const LaidSkin skin = laid_skin(mapped_skin(cloth, model.body), model.body.skin_order);
   const double reach = reached_share * extent_of(cloth, model, data);
-  const auto reached = std::count_if(data.surface.begin(), data.surface.end(), [&](const auto& s) { return reaches(s, skin, reach); });
+  const auto reached =
+      std::count_if(data.surface.begin(), data.surface.end(), [&](const auto& s) { return reaches(s, skin.view(), reach); });
   return static_cast<double>(reached) / static_cast<double>(data.surface.size());
 }
 

@@ -26,10 +26,9 @@ void mark_reached(const Match& match, const Shape& piece, const Shape& whole, st
   if (match.confidence < 0.5) return;
   std::vector<SurfaceSample> laid;
   for (const SurfaceSample& s : piece.surface) laid.push_back({match.data_from_model(s.position), match.similarity.rotation * s.normal});
-  const SampleBlocks blocks = make_blocks(laid);
-  const Skin skin{laid, blocks, typical_spacing(positions_of(laid))};
+  const LaidSkin skin = laid_skin(laid, block_order(positions_of(laid)));
   const double reach = same_place * matched_extent(piece.diagonal, match.similarity.scale, whole.diagonal);
-  for (std::size_t i = 0; i < whole.surface.size(); ++i) reached[i] |= static_cast<char>(reaches(whole.surface[i], skin, reach));
+  for (std::size_t i = 0; i < whole.surface.size(); ++i) reached[i] |= static_cast<char>(reaches(whole.surface[i], skin.view(), reach));
 }
 
 void add_matches(Family& family, Family of_piece, const Piece& piece, const Shape& whole) {
