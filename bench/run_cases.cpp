@@ -33,7 +33,14 @@ PairScore score(const Case& one, const Family& family, const DescribedShape& mod
   std::vector<Truth> truths;
   for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), data.turn));
   if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);
-  return score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
+  PairScore result = score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
+  if (truths.size() == 1 && !truths[0].direct.dense && result.found) {
+    Mesh turned = data.mesh;
+    for (Vec3& vertex : turned.vertices) vertex = data.turn(vertex);
+    const TrueMap& met = result.first.swapped ? *truths[0].swapped : truths[0].direct;
+    result.along_surface = errors_along_surface(family.matches.front().data_from_model, met, turned);
+  }
+  return result;
 }
 
 Result run_case(const Case& one, const Params& params, Shapes& shapes) {

@@ -6,6 +6,9 @@
 #include <map>
 #include <numeric>
 
+#include "homolog/shape/vertex_normals.h"
+#include "surface_ways.h"
+
 namespace homolog::bench {
 namespace {
 
@@ -113,6 +116,19 @@ TransferScore score_transfer(const ThinPlateSpline& data_from_model, const TrueM
   score.within_05 = within(0.05);
   score.within_10 = within(0.10);
   return score;
+}
+
+std::vector<double> errors_along_surface(const ThinPlateSpline& data_from_model, const TrueMap& truth, const Mesh& data) {
+  const SurfaceWays ways(data);
+  const NearestSurface surface(data, vertex_normals(data));
+  const auto place = [&](const Vec3& x) { return *surface.nearest(x, Vec3::Zero(), std::numeric_limits<double>::infinity()); };
+  const double unit = std::sqrt(area_of(data));
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth.model.size(); ++i) {
+    const SurfacePlace meant = place(truth.data[i]);
+    errors.push_back(ways.to(place(data_from_model(truth.model[i])), meant, ways.from(meant)) / unit);
+  }
+  return errors;
 }
 
 int count_findable(const Points& model, const Points& data, const TrueMap& truth, double data_diagonal) {

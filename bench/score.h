@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "homolog/match/match.h"
+#include "homolog/shape/mesh.h"
 #include "truth.h"
 
 namespace homolog::bench {
@@ -35,6 +36,7 @@ struct PairScore {
   bool found = false, success = false, success_in_six = false, success_direct = false;
   MatchScore first;
   TransferScore transfer;
+  std::vector<double> along_surface;  ///< errors at clicked landmarks, see errors_along_surface()
   double confidence = 0;
   Handedness handedness = Handedness::proper;
   bool handedness_right = false;  ///< proper or mirrored as the truth that the first match meets is
@@ -49,6 +51,10 @@ struct PairScore {
 MatchScore score_match(const Match& match, const Truth& truth, double data_diagonal);
 
 TransferScore score_transfer(const ThinPlateSpline& data_from_model, const TrueMap& truth, double data_diagonal);
+
+/// Where the warp puts landmarks, taken to the nearest place of the data surface: the ways from there to their true places along the
+/// surface, as shares of the square root of its area (Kim et al. 2011).
+std::vector<double> errors_along_surface(const ThinPlateSpline& data_from_model, const TrueMap& truth, const Mesh& data);
 
 /// How many model points have a true partner: within the tolerance above, and a factor 1.65 of the radius to expect.
 int count_findable(const Points& model, const Points& data, const TrueMap& truth, double data_diagonal);

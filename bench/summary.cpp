@@ -124,6 +124,21 @@ std::string scene_lines(const Group& all) {
                      mean_of(scenes, [](const Result& r) { return instance_f1(r.score); }), exact);
 }
 
+// Of the found; nothing found is rare, and told in the table.
+std::string landmark_line(const Group& group) {
+  std::vector<double> errors;
+  for (const Result* r : group) {
+    if (r->pair.task == "whole") errors.insert(errors.end(), r->score.along_surface.begin(), r->score.along_surface.end());
+  }
+  if (errors.empty()) return "";
+  std::string text = "clicked landmarks of wholes, along the surface / sqrt(area):";
+  for (const double limit : {.05, .10, .15, .25}) {
+    const auto within = std::ranges::count_if(errors, [&](double e) { return e <= limit; });
+    text += fmt::format("  <={:.2f} {:.3f}", limit, static_cast<double>(within) / static_cast<double>(errors.size()));
+  }
+  return fmt::format("{} ({})\n", text, errors.size());
+}
+
 std::string unrelated_line(const Group& group) {
   const auto claimed = std::ranges::count_if(group, [](const Result* r) { return r->score.instances_claimed > 0; });
   return group.empty() ? ""
@@ -150,7 +165,7 @@ std::string summary(const std::vector<Result>& results) {
                   "in six", "direct", "share", "right", "transfer", "mean", "<=.05", "<=.10", "calib", "CPU s");
   text += lines_by(all, [](const Result& r) { return r.pair.task; });
   text += lines_by(all, [](const Result& r) { return set_of(r.pair); });
-  text += line("all", all) + loss_line(all) + handedness_line(all) + calibration_line(judged) + scene_lines(all) +
+  text += line("all", all) + loss_line(all) + handedness_line(all) + calibration_line(judged) + landmark_line(all) + scene_lines(all) +
           unrelated_line(sharing_nothing);
   const std::size_t unjudged = results.size() - judged.size();
   return unjudged > 0 ? text + fmt::format("without truth: {}\n", unjudged) : text;
