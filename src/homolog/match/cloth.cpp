@@ -100,6 +100,7 @@ Cloth lay_cloth(const Body& model, std::vector<Vec3> places, const Similarity& s
   cloth.nodes = std::move(places);
   cloth.rotations.assign(model.nodes.size(), similarity.rotation);
   cloth.scales.assign(model.nodes.size(), cloth.scale);
+  cloth.rest.assign(model.nodes.size(), cloth.scale * Mat3::Identity());
   cloth.frames.assign(model.nodes.size(), cloth.scale * similarity.rotation);
   fit_local_frames(cloth, model.edges);
   return cloth;

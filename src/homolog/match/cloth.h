@@ -17,7 +17,8 @@ struct Cloth {
   std::vector<Vec3> nodes;      ///< mapped Body::nodes, data coordinates
   std::vector<Mat3> rotations;  ///< local, of the wanted chirality
   std::vector<double> scales;   ///< local
-  std::vector<Mat3> frames;     ///< how the body's edges lie there: rotation times stretch, which follows the measured one half way
+  std::vector<Mat3> rest;       ///< how the body's edges are stretched when nothing draws them, in the model's coordinates
+  std::vector<Mat3> frames;     ///< how they lie there: rotation times stretch, which is half way from the rest to the measured one
   Chirality chirality = Chirality::proper;
   double scale = 1;  ///< of the whole
 };

@@ -10,12 +10,6 @@ namespace {
 
 constexpr double near_share = 0.15;  // of the mapped model's extent
 
-std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& body) {
-  std::vector<Anchor> anchors;
-  for (const Correspondence& c : pairs) anchors.push_back({body.point_node(c.model), c.data_point.position});
-  return anchors;
-}
-
 // The data's samples that the laid cloth can have to do with; the whole body's would draw parts apart.
 std::vector<SurfaceSample> samples_near(const Cloth& cloth, const std::vector<SurfaceSample>& samples, double distance, std::size_t most) {
   std::vector<SurfaceSample> near;
@@ -36,12 +30,18 @@ LimbPlaces limb_places_of(const EndsTogether& ends, const Shape& model, const Sh
 
 }  // namespace
 
-void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const CorrespondenceSet& pairs, const ClothSchedule& schedule,
+std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& model) {
+  std::vector<Anchor> anchors;
+  for (const Correspondence& c : pairs) anchors.push_back({model.point_node(c.model), c.data_point.position});
+  return anchors;
+}
+
+void draw_onto(Cloth& cloth, const Shape& model, const Shape& data, const std::vector<Anchor>& anchors, const ClothSchedule& schedule,
                std::size_t most, const EndsTogether& ends) {
   const double extent = extent_of(cloth, model, data);
   const std::vector<SurfaceSample> near = samples_near(cloth, data.surface, near_share * extent, most);
   if (near.empty()) return;
-  draw_cloth(cloth, model.body, near, extent, anchors_of(pairs, model.body), schedule, limb_places_of(ends, model, data, near));
+  draw_cloth(cloth, model.body, near, extent, anchors, schedule, limb_places_of(ends, model, data, near));
 }
 
 }  // namespace homolog

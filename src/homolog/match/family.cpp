@@ -202,7 +202,10 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
   std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
   told = believed(std::move(told), model, data, without_identity);
   std::vector<Match> matches(told.size());
-  parallel_for(told.size(), [&](std::size_t i) { matches[i] = match_of(told[i], model, data, params); });
+  parallel_for(told.size(), [&](std::size_t i) {
+    lengthen_limbs(told[i], model, data, params.descriptor.kind);
+    matches[i] = match_of(told[i], model, data, params);
+  });
   Family family;
   for (std::size_t i = 0; i < told.size(); ++i) {
     if (static_cast<int>(family.matches.size()) == params.match.matches) break;

@@ -100,14 +100,14 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
   std::vector<Spread> spreads(count);
   for (std::size_t i = 0; i < count; ++i) spreads[i] = spread_of(cloth, edges, i);
   for (std::size_t i = 0; i < count; i += lanes) turn_four(&cloth.rotations[i], &spreads[i], std::min(lanes, count - i));
-  std::vector<Mat3> stretch(count, cloth.scale * Mat3::Identity());
+  std::vector<Mat3> stretch = cloth.rest;
   for (std::size_t i = 0; i < count; ++i) {
     if (edges.square[i] == 0) continue;
     const double measured = std::clamp(std::sqrt(spreads[i].square / edges.square[i]), 0.25 * cloth.scale, 4 * cloth.scale);
     cloth.scales[i] = std::sqrt(measured * cloth.scale);
     const Mat3 turned_back = cloth.rotations[i].transpose() * spreads[i].covariance;
     const Mat3 gradient = (turned_back + flat_share * edges.square[i] * cloth.scale * Mat3::Identity()) * edges.inverse[i];
-    stretch[i] = 0.5 * cloth.scale * Mat3::Identity() + 0.25 * (gradient + gradient.transpose());
+    stretch[i] = 0.5 * cloth.rest[i] + 0.25 * (gradient + gradient.transpose());
   }
   stretch = smoothed(stretch, edges);
   for (std::size_t i = 0; i < count; ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];

@@ -8,8 +8,8 @@
 
 namespace homolog {
 
-/// Best local rotations, and local scales and stretches half way between the measured ones and the cloth's scale: a limb may become
-/// longer without becoming thicker.
+/// Best local rotations, local scales half way between the measured ones and the cloth's, and stretches half way between the measured ones
+/// and the rest: a limb may become longer without becoming thicker.
 void fit_local_frames(Cloth& cloth, const Edges& edges);
 
 }  // namespace homolog

@@ -2,12 +2,14 @@
 #include "homolog/match/refine.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "homolog/match/best_similarity.h"
 #include "homolog/match/draw_onto.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
+#include "homolog/match/laid_limbs.h"
 #include "homolog/match/limbs.h"
 #include "homolog/match/trusted_pairs.h"
 #include "homolog/match/turned_limbs.h"
@@ -54,7 +56,7 @@ void weigh_again(Refined& refined, const Shape& model, const Shape& data, Descri
 // The last draw, with the pairs that the cloth explains.
 void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
-  draw_onto(refined.cloth, model, data, refined.pairs, last_draw, last_data_samples);
+  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), last_draw, last_data_samples);
   weigh_again(refined, model, data, kind);
 }
 
@@ -79,8 +81,18 @@ void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, 
   const EndsTogether turned = turned_ends(near, anew.cloth, model, data);
   if (turned.model.empty()) return;
   const EndsTogether all = joined(near, turned);
-  lay_limbs(anew.cloth, all, near.model.size(), model, data);
+  std::vector<std::size_t> added(turned.model.size());
+  std::iota(added.begin(), added.end(), near.model.size());
+  lay_limbs(anew.cloth, all, added, model, data);
+  anew.cloth.rest = refined.cloth.rest;  // cloths are compared that keep their proportions
   try_along(anew, all);
+}
+
+// All that the cloth explains.
+void pair_up(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  const double extent = extent_of(refined.cloth, model, data);
+  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
+  rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
 }
 
 }  // namespace
@@ -88,19 +100,24 @@ void settle_with_limbs(Refined& refined, const Shape& model, const Shape& data, 
 Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
 
 void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end) {
-  draw_onto(refined.cloth, model, data, refined.pairs, steps_of(first_draw, begin, end), data_samples);
+  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), steps_of(first_draw, begin, end), data_samples);
   weigh_again(refined, model, data, kind);
 }
 
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   for (int round = 0; round < 2; ++round) {
     refined.pairs = guided_pairs(refined.cloth, model, data, kind, wide);
-    draw_onto(refined.cloth, model, data, refined.pairs, next_draw, data_samples);
+    draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), next_draw, data_samples);
   }
   settle_with_limbs(refined, model, data, kind);
-  const double extent = extent_of(refined.cloth, model, data);
-  refined.pairs = guided_pairs(refined.cloth, model, data, kind, {0.6, 0.5, told_place * extent});
-  rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
+  pair_up(refined, model, data, kind);
+}
+
+void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  const std::vector<Anchor> tips = lay_limbs_apart(refined.cloth, model, data);
+  if (tips.empty()) return;
+  draw_onto(refined.cloth, model, data, tips, last_draw, last_data_samples);
+  pair_up(refined, model, data, kind);
 }
 
 Match match_of(const Refined& refined, const Shape& model, const Shape& data, const Params& params) {
@@ -118,7 +135,7 @@ Match match_of(const Refined& refined, const Shape& model, const Shape& data, co
   match.bending = bending_of(match.pairs, refined.cloth.chirality, model.diagonal);
   match.evidence = refined.evidence;
   match.confidence = refined.confidence;
-  match.model_coverage = match.evidence.model_reached;
+  match.model_coverage = weigh(refined.cloth, model, data).model_reached;
   match.data_coverage = data_reached(refined.cloth, model, data);
   return match;
 }

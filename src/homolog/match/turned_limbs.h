@@ -13,7 +13,4 @@ namespace homolog {
 /// same place and may be of another length. None without ends together.
 EndsTogether turned_ends(const EndsTogether& together, const Cloth& cloth, const Shape& model, const Shape& data);
 
-/// Lays the limbs of the ends together from the `first` one on along the data's, thick as they are.
-void lay_limbs(Cloth& cloth, const EndsTogether& together, std::size_t first, const Shape& model, const Shape& data);
-
 }  // namespace homolog

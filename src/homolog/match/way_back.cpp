@@ -6,6 +6,7 @@
 
 #include "homolog/match/best_similarity.h"
 #include "homolog/match/draw_onto.h"
+#include "homolog/match/laid_limbs.h"
 
 namespace homolog {
 namespace {
@@ -40,7 +41,8 @@ Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data) {
   std::vector<WeighedPair> pairs;
   for (std::size_t i = 0; i < model.body.surface_count; ++i) pairs.push_back({cloth.nodes[i], model.body.nodes[i], 1});
   Cloth back = lay_cloth(data.body, std::move(places), best_similarity(pairs, cloth.chirality), cloth.chirality);
-  for (const ClothSchedule& schedule : {first_draw, last_draw}) draw_onto(back, data, model, {}, schedule, model_samples);
+  draw_onto(back, data, model, {}, first_draw, model_samples);
+  draw_onto(back, data, model, lay_limbs_apart(back, data, model), last_draw, model_samples);
   return back;
 }
 
