@@ -125,7 +125,7 @@ double rank_merit(const Evidence& evidence, Chirality chirality) {
 
 double confidence_of(const Evidence& evidence, Chirality chirality, double ways) {
   const double merit = rank_merit(evidence, chirality), beyond = std::max(0.0, merit - enough_merit);
-  return 1 / (1 + std::exp(0.37 - 5.8 * (merit - 0.9 * beyond) + 1.6 * std::log(ways)));
+  return 1 / (1 + std::exp(0.07 - 5.8 * (merit - 0.9 * beyond) + 1.6 * std::log(ways)));
 }
 
 }  // namespace homolog
