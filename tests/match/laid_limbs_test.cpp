@@ -25,11 +25,11 @@ TEST(LaidLimbs, AreThoseWhoseEndsAreApart) {
   const Cloth cloth = laid(model);
   const EndsTogether together = ends_together(cloth, model, data);
   ASSERT_EQ(together.model.size(), 4u);
-  const std::vector<std::size_t> apart = ends_apart(together, cloth, model, data);
+  const std::vector<std::size_t> apart = limbs_of_other_length(together, cloth, model, data);
   ASSERT_EQ(apart.size(), 1u);
   EXPECT_EQ(together.model[apart[0]], end_at(model, short_tip));
   Cloth same = laid(model);
-  EXPECT_TRUE(lay_limbs_apart(same, model, model).empty());
+  EXPECT_TRUE(lay_limbs_of_other_length(same, model, model).empty());
   EXPECT_EQ(same.nodes, model.body.nodes);
 }
 
@@ -37,7 +37,7 @@ TEST(LaidLimbs, AreStretchedAlongThemselvesAlone) {
   const Shape model = star(short_tip), data = star(long_tip);
   Cloth cloth = laid(model);
   const EndsTogether together = ends_together(cloth, model, data);
-  lay_limbs(cloth, together, ends_apart(together, cloth, model, data), model, data);
+  lay_limbs(cloth, together, limbs_of_other_length(together, cloth, model, data), model, data);
   Mat3 mean = Mat3::Zero();
   double count = 0;
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
@@ -60,7 +60,7 @@ TEST(LaidLimbs, KeepTheirLengthWhenDrawnOn) {
   for (const auto& [here, there] : {std::pair(short_tip, long_tip), std::pair(long_tip, short_tip)}) {
     const Shape model = star(here), data = star(there);
     Cloth plain = laid(model), full = plain;
-    const std::vector<Anchor> tips = lay_limbs_apart(full, model, data);
+    const std::vector<Anchor> tips = lay_limbs_of_other_length(full, model, data);
     ASSERT_FALSE(tips.empty());
     draw_onto(full, model, data, tips, last, 1200);
     draw_onto(plain, model, data, {}, last, 1200);

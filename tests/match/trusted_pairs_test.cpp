@@ -83,7 +83,7 @@ Correspondence followed(int i, double confidence) {
 
 TEST(ToldPairs, FollowedPointsThatDeserveTrustJoin) {
   CorrespondenceSet many;
-  for (int i = 10; i < 30; ++i) many.push_back(followed(i, i < 22 ? 0.8 : 0.7));
+  for (int i = 10; i < 30; ++i) many.push_back(followed(i, i < 22 ? 0.85 : 0.8));
   const CorrespondenceSet told = told_pairs(sure_pairs(line()), many);
   EXPECT_EQ(told.size(), count + 12u);
   for (std::size_t i = 1; i < told.size(); ++i) EXPECT_LT(told[i - 1].model, told[i].model);

@@ -14,6 +14,7 @@ namespace homolog {
 namespace {
 
 constexpr double apart = 0.03;                        // extents between ends; nearer ones may be the same place of a tip
+constexpr double other_length = 0.1;                  // log of how much longer or shorter a limb must be to be laid
 constexpr double laid_share = 0.85;                   // of a limb, from its end
 constexpr double blur = 0.12;                         // shares of a limb
 constexpr double base_begins = 0.9, base_ends = 1.2;  // shares of a limb: where it branches off
@@ -71,6 +72,23 @@ double stretch_of(const Cloth& cloth, const Eigen::VectorXd& in, double length, 
   return std::clamp(*middle, least_stretch, most_stretch);
 }
 
+struct Stretch {
+  double length;  ///< of the limb in the model
+  double factor;  ///< 0: nothing tells
+};
+
+std::vector<Stretch> stretches_of(const Cloth& cloth, const EndsTogether& together, const Shape& model, const Shape& data) {
+  const std::vector<double> lengths = limb_lengths(model.ends, together.model);
+  std::vector<Stretch> stretches;
+  for (std::size_t k = 0; k < lengths.size(); ++k) {
+    Stretch& stretch = stretches.emplace_back(lengths[k], 0);
+    if (!is_length(lengths[k])) continue;
+    const Eigen::VectorXd in = model.ends.ways.col(together.model[k]) / lengths[k];
+    stretch.factor = stretch_of(cloth, in, lengths[k], together.data[k], model, data);
+  }
+  return stretches;
+}
+
 // Which way a value that is told for all nodes rises about one of them; zero where it does not.
 Vec3 rise_at(std::size_t node, const Eigen::VectorXd& value, const Edges& edges) {
   Vec3 rise = Vec3::Zero();
@@ -95,41 +113,39 @@ void stretch_rest(Cloth& cloth, double stretch, const Eigen::VectorXd& in, const
 
 }  // namespace
 
-std::vector<std::size_t> ends_apart(const EndsTogether& together, const Cloth& cloth, const Shape& model, const Shape& data) {
+std::vector<std::size_t> limbs_of_other_length(const EndsTogether& together, const Cloth& cloth, const Shape& model, const Shape& data) {
   const double limit = apart * extent_of(cloth, model, data);
+  const std::vector<Stretch> stretches = stretches_of(cloth, together, model, data);
   std::vector<std::size_t> numbers;
   for (std::size_t k = 0; k < together.model.size(); ++k) {
     const Vec3 &laid = cloth.nodes[model.ends.nodes[together.model[k]]], &there = data.body.nodes[data.ends.nodes[together.data[k]]];
-    if ((laid - there).norm() > limit) numbers.push_back(k);
+    const bool differs = stretches[k].factor > 0 && std::abs(std::log(stretches[k].factor)) > other_length;
+    if (differs && (laid - there).norm() > limit) numbers.push_back(k);
   }
   return numbers;
 }
 
 void lay_limbs(Cloth& cloth, const EndsTogether& together, const std::vector<std::size_t>& chosen, const Shape& model, const Shape& data) {
-  const std::vector<double> lengths = limb_lengths(model.ends, together.model);
-  const auto in = [&](std::size_t k) -> Eigen::VectorXd { return model.ends.ways.col(together.model[k]) / lengths[k]; };
-  std::vector<double> stretches;
-  for (const std::size_t k : chosen) {
-    stretches.push_back(is_length(lengths[k]) ? stretch_of(cloth, in(k), lengths[k], together.data[k], model, data) : 0);
-  }
+  const std::vector<Stretch> stretches = stretches_of(cloth, together, model, data);
   std::vector<double> owner(cloth.nodes.size(), std::numeric_limits<double>::infinity());
-  for (std::size_t c = 0; c < chosen.size(); ++c) {
-    const std::size_t k = chosen[c];
-    if (stretches[c] == 0) continue;
-    stretch_rest(cloth, stretches[c], in(k), model.body.edges, owner);
-    const Eigen::VectorXd wanted = data.ends.ways.col(together.data[k]) / (stretches[c] * lengths[k] * cloth.scale);
-    lay_limb(cloth, limb_of(wanted, data.body.nodes, data.body.surface_count), in(k), model.body.surface_count);
+  for (const std::size_t k : chosen) {
+    const auto& [length, factor] = stretches[k];
+    if (factor == 0) continue;
+    const Eigen::VectorXd in = model.ends.ways.col(together.model[k]) / length;
+    const Eigen::VectorXd wanted = data.ends.ways.col(together.data[k]) / (factor * length * cloth.scale);
+    stretch_rest(cloth, factor, in, model.body.edges, owner);
+    lay_limb(cloth, limb_of(wanted, data.body.nodes, data.body.surface_count), in, model.body.surface_count);
   }
   fit_local_frames(cloth, model.body.edges);
 }
 
-std::vector<Anchor> lay_limbs_apart(Cloth& cloth, const Shape& model, const Shape& data) {
+std::vector<Anchor> lay_limbs_of_other_length(Cloth& cloth, const Shape& model, const Shape& data) {
   const EndsTogether near = ends_together(cloth, model, data);
-  const std::vector<std::size_t> apart = ends_apart(near, cloth, model, data);
-  if (apart.empty()) return {};
-  lay_limbs(cloth, near, apart, model, data);
+  const std::vector<std::size_t> chosen = limbs_of_other_length(near, cloth, model, data);
+  if (chosen.empty()) return {};
+  lay_limbs(cloth, near, chosen, model, data);
   std::vector<Anchor> tips;
-  for (const std::size_t k : apart) {
+  for (const std::size_t k : chosen) {
     tips.push_back({static_cast<std::size_t>(model.ends.nodes[near.model[k]]), data.body.nodes[data.ends.nodes[near.data[k]]]});
   }
   return tips;

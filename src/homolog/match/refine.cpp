@@ -114,7 +114,7 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
 }
 
 void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
-  const std::vector<Anchor> tips = lay_limbs_apart(refined.cloth, model, data);
+  const std::vector<Anchor> tips = lay_limbs_of_other_length(refined.cloth, model, data);
   if (tips.empty()) return;
   draw_onto(refined.cloth, model, data, tips, last_draw, last_data_samples);
   pair_up(refined, model, data, kind);

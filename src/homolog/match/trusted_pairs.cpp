@@ -7,7 +7,8 @@
 namespace homolog {
 namespace {
 
-constexpr double least_confidence = 0.75;
+constexpr double least_trusted = 0.75;  // before the way back
+constexpr double least_confidence = 0.83;
 constexpr std::size_t least_told = 7;
 constexpr double same_place = 0.5;  // r of a followed point
 
@@ -35,7 +36,7 @@ void rate_pairs(CorrespondenceSet& pairs, const Cloth& cloth, double merit, doub
 }
 
 CorrespondenceSet trusted_pairs(CorrespondenceSet rated) {
-  std::erase_if(rated, [](const Correspondence& c) { return c.confidence < least_confidence; });
+  std::erase_if(rated, [](const Correspondence& c) { return c.confidence < least_trusted; });
   return rated;
 }
 

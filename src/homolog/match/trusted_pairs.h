@@ -14,11 +14,11 @@ namespace homolog {
 void rate_pairs(CorrespondenceSet& pairs, const Cloth& cloth, double merit, double extent, const Shape& model, const Shape& data,
                 DescriptorKind kind);
 
-/// Those that are right with a probability of 0.75 at least.
+/// Those that are right with a probability of 0.75 at least, as rated before the way back.
 CorrespondenceSet trusted_pairs(CorrespondenceSet rated);
 
-/// Of rated pairs and followed ones (followed_points.h) those that deserve this trust, and the best others where they are not seven.
-/// Ordered by model index; a followed place within half a radius of a surer one is left out.
+/// Of rated pairs and followed ones (followed_points.h) those that are right with a probability of 0.83 at least, and the best others where
+/// they are not seven. Ordered by model index; a followed place within half a radius of a surer one is left out.
 CorrespondenceSet told_pairs(CorrespondenceSet rated, const CorrespondenceSet& followed);
 
 }  // namespace homolog

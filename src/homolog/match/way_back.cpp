@@ -42,7 +42,7 @@ Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data) {
   for (std::size_t i = 0; i < model.body.surface_count; ++i) pairs.push_back({cloth.nodes[i], model.body.nodes[i], 1});
   Cloth back = lay_cloth(data.body, std::move(places), best_similarity(pairs, cloth.chirality), cloth.chirality);
   draw_onto(back, data, model, {}, first_draw, model_samples);
-  draw_onto(back, data, model, lay_limbs_apart(back, data, model), last_draw, model_samples);
+  draw_onto(back, data, model, lay_limbs_of_other_length(back, data, model), last_draw, model_samples);
   return back;
 }
 
@@ -56,7 +56,7 @@ void rate_by_way_back(CorrespondenceSet& pairs, const Cloth& back, const Body& d
   for (Correspondence& c : pairs) {
     const double missed = (place_in(back, data, near, c.data_point.position) - c.model_point.position).norm() / extent;
     const double odds_against = (1 - c.confidence) / std::max(c.confidence, 1e-9);
-    c.confidence = 1 / (1 + odds_against * std::exp(1.68) * std::pow(0.01 + std::min(missed, farthest), 0.54));
+    c.confidence = 1 / (1 + odds_against * std::exp(1.18) * std::pow(0.01 + std::min(missed, farthest), 0.54));
   }
 }
 

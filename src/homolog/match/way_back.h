@@ -18,7 +18,8 @@ Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data);
 Vec3 place_in(const Cloth& cloth, const Body& body, const NearestPoints& near, const Vec3& x);
 
 /// Corrects the confidence of rated pairs by how far from its model point a data point comes home, as a share of `extent` (in the model);
-/// fitted to the pairs of the first four matches of 476 real pairs of shapes.
+/// fitted to the pairs of the first four matches of 476 real pairs of shapes, and raised since, when maps had become better
+/// (docs/accuracy.md).
 void rate_by_way_back(CorrespondenceSet& pairs, const Cloth& back, const Body& data, double extent);
 
 }  // namespace homolog
