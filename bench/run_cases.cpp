@@ -35,10 +35,8 @@ PairScore score(const Case& one, const Family& family, const DescribedShape& mod
   if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);
   PairScore result = score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
   if (truths.size() == 1 && !truths[0].direct.dense && result.found) {
-    Mesh turned = data.mesh;
-    for (Vec3& vertex : turned.vertices) vertex = data.turn(vertex);
-    const TrueMap& met = result.first.swapped ? *truths[0].swapped : truths[0].direct;
-    result.along_surface = errors_along_surface(family.matches.front().data_from_model, met, turned);
+    const TrueMap& met = truths[0].answer(result.first.swapped);
+    result.along_surface = errors_along_surface(family.matches.front().data_from_model, met, moved(data.turn, data.mesh));
   }
   return result;
 }

@@ -156,14 +156,14 @@ PairScore score_family(const Family& family, const Points& model, const Points& 
     score.first = score_match(first, truth, data_diagonal);
     score.success = score.first.success;
     score.success_direct = score.first.success_direct;
-    const TrueMap& met = score.first.swapped ? *truth.swapped : truth.direct;
+    const TrueMap& met = truth.answer(score.first.swapped);
     score.transfer = score_transfer(first.data_from_model, met, data_diagonal);
     score.findable_found = count_findable_found(first, met, data_diagonal);
     score.confidence = first.confidence;
     score.handedness = first.handedness;
     score.handedness_right = (first.handedness == Handedness::mirrored) == met.mirrored && first.handedness != Handedness::ambiguous;
   }
-  const TrueMap& sought = score.first.swapped ? *truth.swapped : truth.direct;
+  const TrueMap& sought = truth.answer(score.first.swapped);
   score.findable = count_findable(model, data, sought, data_diagonal);
   score.lost = stage_of_loss(score);
   return score;

@@ -19,8 +19,7 @@ void Shapes::make(const Key& key, const std::function<Mesh()>& read, Entry& entr
   const double diagonal = bounding_box(described->mesh).diagonal();
   if (key.second) described->turn = random_similarity(seed_, key.first, diagonal);
   described->diagonal = described->turn.scale * diagonal;
-  Mesh turned = described->mesh;
-  for (Vec3& v : turned.vertices) v = described->turn(v);
+  const Mesh turned = moved(described->turn, described->mesh);
   const double start = thread_seconds();
   described->shape = describe_shape(turned, params_);
   described->cpu_seconds = thread_seconds() - start;

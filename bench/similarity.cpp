@@ -37,6 +37,11 @@ Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3
   return fit;
 }
 
+Mesh moved(const Similarity& similarity, Mesh mesh) {
+  for (Vec3& vertex : mesh.vertices) vertex = similarity(vertex);
+  return mesh;
+}
+
 double residual(const Similarity& similarity, const std::vector<Vec3>& model, const std::vector<Vec3>& data) {
   double sum = 0;
   for (std::size_t i = 0; i < model.size(); ++i) sum += (similarity(model[i]) - data[i]).squaredNorm();

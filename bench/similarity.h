@@ -8,12 +8,16 @@
 #include <vector>
 
 #include "homolog/match/thin_plate_spline.h"
+#include "homolog/shape/mesh.h"
 
 namespace homolog::bench {
 
 /// The least-squares similarity model -> data (Umeyama 1991); `mirrored` asks for a reflection instead of a rotation.
 /// Without weights all points count alike.
 Similarity fit_similarity(const std::vector<Vec3>& model, const std::vector<Vec3>& data, bool mirrored, std::vector<double> weights = {});
+
+/// The mesh where the similarity puts it.
+Mesh moved(const Similarity& similarity, Mesh mesh);
 
 /// Root mean square distance of similarity(model) to data.
 double residual(const Similarity& similarity, const std::vector<Vec3>& model, const std::vector<Vec3>& data);

@@ -38,6 +38,8 @@ struct TrueMap {
 struct Truth {
   TrueMap direct;
   std::optional<TrueMap> swapped;
+
+  const TrueMap& answer(bool of_swapped) const { return of_swapped ? *swapped : direct; }
 };
 
 /// Needs at least 4 true pairs; throws std::invalid_argument for fewer.

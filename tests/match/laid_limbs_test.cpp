@@ -22,12 +22,12 @@ double tip_missed(const Cloth& cloth, const Shape& model, const Vec3& tip, const
 
 TEST(LaidLimbs, AreThoseWhoseEndsAreApart) {
   const Shape model = star(short_tip), data = star(long_tip);
-  const Cloth cloth = laid(model);
-  const EndsTogether together = ends_together(cloth, model, data);
-  ASSERT_EQ(together.model.size(), 4u);
-  const std::vector<std::size_t> apart = limbs_of_other_length(together, cloth, model, data);
-  ASSERT_EQ(apart.size(), 1u);
-  EXPECT_EQ(together.model[apart[0]], end_at(model, short_tip));
+  Cloth cloth = laid(model);
+  ASSERT_EQ(ends_together(cloth, model, data).model.size(), 4u);
+  const std::vector<Anchor> tips = lay_limbs_of_other_length(cloth, model, data);
+  ASSERT_EQ(tips.size(), 1u);
+  EXPECT_EQ(static_cast<int>(tips[0].node), model.ends.nodes[end_at(model, short_tip)]);
+  EXPECT_EQ(tips[0].place, data.body.nodes[data.ends.nodes[end_at(data, long_tip)]]);
   Cloth same = laid(model);
   EXPECT_TRUE(lay_limbs_of_other_length(same, model, model).empty());
   EXPECT_EQ(same.nodes, model.body.nodes);
@@ -36,8 +36,7 @@ TEST(LaidLimbs, AreThoseWhoseEndsAreApart) {
 TEST(LaidLimbs, AreStretchedAlongThemselvesAlone) {
   const Shape model = star(short_tip), data = star(long_tip);
   Cloth cloth = laid(model);
-  const EndsTogether together = ends_together(cloth, model, data);
-  lay_limbs(cloth, together, limbs_of_other_length(together, cloth, model, data), model, data);
+  lay_limbs_of_other_length(cloth, model, data);
   Mat3 mean = Mat3::Zero();
   double count = 0;
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {

@@ -104,6 +104,14 @@ Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data) {
   return evidence;
 }
 
+double model_reached(const Cloth& cloth, const Shape& model, const Shape& data) {
+  if (model.body.surface_count == 0 || data.surface.empty()) return 0;
+  const double reach = reached_share * extent_of(cloth, model, data);
+  const std::vector<SurfaceSample> laid = mapped_skin(cloth, model.body);
+  const Skin data_skin{data.surface, data.surface_blocks, data.surface_spacing};
+  return model_reached(laid, nearest_to(laid, data_skin, reach + data_skin.spacing), data_skin, model.body, data.interior, reach);
+}
+
 double data_reached(const Cloth& cloth, const Shape& model, const Shape& data) {
   if (model.body.surface_count == 0 || data.surface.empty()) return 0;
   const LaidSkin skin = laid_skin(mapped_skin(cloth, model.body), model.body.skin_order);

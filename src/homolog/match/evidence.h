@@ -21,6 +21,9 @@ double turning_at(const Cloth& cloth, const Body& model, int node);
 /// All but Evidence::support, which needs the pairs (refine.cpp).
 Evidence weigh(const Cloth& cloth, const Shape& model, const Shape& data);
 
+/// Evidence::model_reached of a cloth, alone.
+double model_reached(const Cloth& cloth, const Shape& model, const Shape& data);
+
 /// Share of the data's skin on which the model comes to lie.
 double data_reached(const Cloth& cloth, const Shape& model, const Shape& data);
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "homolog/match/contact.h"
 #include "homolog/match/evidence.h"
@@ -72,21 +73,23 @@ double stretch_of(const Cloth& cloth, const Eigen::VectorXd& in, double length, 
   return std::clamp(*middle, least_stretch, most_stretch);
 }
 
-struct Stretch {
-  double length;  ///< of the limb in the model
-  double factor;  ///< 0: nothing tells
+struct LimbToLay {
+  std::size_t number;  // of its ends among the ends together
+  double length, stretch;
 };
 
-std::vector<Stretch> stretches_of(const Cloth& cloth, const EndsTogether& together, const Shape& model, const Shape& data) {
+// Those of the chosen ones that have a length in both bodies.
+std::vector<LimbToLay> limbs_to_lay(const Cloth& cloth, const EndsTogether& together, const std::vector<std::size_t>& chosen,
+                                    const Shape& model, const Shape& data) {
   const std::vector<double> lengths = limb_lengths(model.ends, together.model);
-  std::vector<Stretch> stretches;
-  for (std::size_t k = 0; k < lengths.size(); ++k) {
-    Stretch& stretch = stretches.emplace_back(lengths[k], 0);
+  std::vector<LimbToLay> limbs;
+  for (const std::size_t k : chosen) {
     if (!is_length(lengths[k])) continue;
     const Eigen::VectorXd in = model.ends.ways.col(together.model[k]) / lengths[k];
-    stretch.factor = stretch_of(cloth, in, lengths[k], together.data[k], model, data);
+    const double stretch = stretch_of(cloth, in, lengths[k], together.data[k], model, data);
+    if (stretch > 0) limbs.push_back({k, lengths[k], stretch});
   }
-  return stretches;
+  return limbs;
 }
 
 // Which way a value that is told for all nodes rises about one of them; zero where it does not.
@@ -111,43 +114,39 @@ void stretch_rest(Cloth& cloth, double stretch, const Eigen::VectorXd& in, const
   }
 }
 
-}  // namespace
-
-std::vector<std::size_t> limbs_of_other_length(const EndsTogether& together, const Cloth& cloth, const Shape& model, const Shape& data) {
-  const double limit = apart * extent_of(cloth, model, data);
-  const std::vector<Stretch> stretches = stretches_of(cloth, together, model, data);
-  std::vector<std::size_t> numbers;
-  for (std::size_t k = 0; k < together.model.size(); ++k) {
-    const Vec3 &laid = cloth.nodes[model.ends.nodes[together.model[k]]], &there = data.body.nodes[data.ends.nodes[together.data[k]]];
-    const bool differs = stretches[k].factor > 0 && std::abs(std::log(stretches[k].factor)) > other_length;
-    if (differs && (laid - there).norm() > limit) numbers.push_back(k);
-  }
-  return numbers;
-}
-
-void lay_limbs(Cloth& cloth, const EndsTogether& together, const std::vector<std::size_t>& chosen, const Shape& model, const Shape& data) {
-  const std::vector<Stretch> stretches = stretches_of(cloth, together, model, data);
+void lay(Cloth& cloth, const EndsTogether& together, const std::vector<LimbToLay>& limbs, const Shape& model, const Shape& data) {
   std::vector<double> owner(cloth.nodes.size(), std::numeric_limits<double>::infinity());
-  for (const std::size_t k : chosen) {
-    const auto& [length, factor] = stretches[k];
-    if (factor == 0) continue;
+  for (const auto& [k, length, stretch] : limbs) {
     const Eigen::VectorXd in = model.ends.ways.col(together.model[k]) / length;
-    const Eigen::VectorXd wanted = data.ends.ways.col(together.data[k]) / (factor * length * cloth.scale);
-    stretch_rest(cloth, factor, in, model.body.edges, owner);
+    const Eigen::VectorXd wanted = data.ends.ways.col(together.data[k]) / (stretch * length * cloth.scale);
+    stretch_rest(cloth, stretch, in, model.body.edges, owner);
     lay_limb(cloth, limb_of(wanted, data.body.nodes, data.body.surface_count), in, model.body.surface_count);
   }
   fit_local_frames(cloth, model.body.edges);
 }
 
+}  // namespace
+
+void lay_limbs(Cloth& cloth, const EndsTogether& together, const std::vector<std::size_t>& chosen, const Shape& model, const Shape& data) {
+  lay(cloth, together, limbs_to_lay(cloth, together, chosen, model, data), model, data);
+}
+
 std::vector<Anchor> lay_limbs_of_other_length(Cloth& cloth, const Shape& model, const Shape& data) {
   const EndsTogether near = ends_together(cloth, model, data);
-  const std::vector<std::size_t> chosen = limbs_of_other_length(near, cloth, model, data);
-  if (chosen.empty()) return {};
-  lay_limbs(cloth, near, chosen, model, data);
+  std::vector<std::size_t> all(near.model.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  std::vector<LimbToLay> limbs = limbs_to_lay(cloth, near, all, model, data);
+  const auto model_end = [&](std::size_t k) { return static_cast<std::size_t>(model.ends.nodes[near.model[k]]); };
+  const auto data_end = [&](std::size_t k) -> const Vec3& { return data.body.nodes[data.ends.nodes[near.data[k]]]; };
+  const double limit = apart * extent_of(cloth, model, data);
+  std::erase_if(limbs, [&](const LimbToLay& limb) {
+    return std::abs(std::log(limb.stretch)) <= other_length ||
+           (cloth.nodes[model_end(limb.number)] - data_end(limb.number)).norm() <= limit;
+  });
+  if (limbs.empty()) return {};
+  lay(cloth, near, limbs, model, data);
   std::vector<Anchor> tips;
-  for (const std::size_t k : chosen) {
-    tips.push_back({static_cast<std::size_t>(model.ends.nodes[near.model[k]]), data.body.nodes[data.ends.nodes[near.data[k]]]});
-  }
+  for (const LimbToLay& limb : limbs) tips.push_back({model_end(limb.number), data_end(limb.number)});
   return tips;
 }
 

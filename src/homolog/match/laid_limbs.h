@@ -12,15 +12,12 @@
 
 namespace homolog {
 
-/// Which of the limbs that end in the ends together, by their numbers, are longer or shorter in the data by a tenth and end more than .03
-/// of the matched extent from there.
-std::vector<std::size_t> limbs_of_other_length(const EndsTogether& together, const Cloth& cloth, const Shape& model, const Shape& data);
-
 /// Lays the limbs of the model that end in the chosen ones of the ends together along the data's, evenly from where they branch off to
 /// the tip, each with its own thickness, and stretches their rest by as much. Leaves a limb without a length as it is.
 void lay_limbs(Cloth& cloth, const EndsTogether& together, const std::vector<std::size_t>& chosen, const Shape& model, const Shape& data);
 
-/// Lays those of another length. Out: their ends at the data's, as anchors that keep them there; none if there are none.
+/// Lays those that are longer or shorter in the data by a tenth and end more than .03 of the matched extent from there. Out: their ends at
+/// the data's, as anchors that keep them there; none if there are none.
 std::vector<Anchor> lay_limbs_of_other_length(Cloth& cloth, const Shape& model, const Shape& data);
 
 }  // namespace homolog

@@ -135,7 +135,7 @@ Match match_of(const Refined& refined, const Shape& model, const Shape& data, co
   match.bending = bending_of(match.pairs, refined.cloth.chirality, model.diagonal);
   match.evidence = refined.evidence;
   match.confidence = refined.confidence;
-  match.model_coverage = weigh(refined.cloth, model, data).model_reached;
+  match.model_coverage = model_reached(refined.cloth, model, data);
   match.data_coverage = data_reached(refined.cloth, model, data);
   return match;
 }
