@@ -102,23 +102,21 @@ nb::dict carry(const MatchMap& map, const Places& points, bool to_data) {
 // A map as plain arrays, for pickle.
 using SplineState = std::tuple<bool, Places, Places, Affine>;
 using SamplesState = std::pair<Places, Weights>;
-using MapState = std::tuple<SplineState, std::vector<SplineState>, double, Mat4, double, double, SamplesState, SamplesState>;
+using KnownState = std::pair<Places, std::vector<double>>;
+using MapState = std::tuple<SplineState, KnownState, double, Mat4, double, double, SamplesState, SamplesState>;
 
 SplineState state_of(const ThinPlateSpline& spline) {
   return {spline.kernel == Kernel::r3, places_of(spline.centres), places_of(spline.weights), spline.affine};
 }
 SamplesState state_of(const CoveredSamples& samples) { return {places_of(samples.positions), weights_of(samples.weights)}; }
+KnownState state_of(const std::vector<KnownPlace>& known) {
+  std::vector<double> confidences;
+  for (const KnownPlace& place : known) confidences.push_back(place.confidence);
+  return {places_of(known, [](const KnownPlace& place) { return place.position; }), confidences};
+}
 MapState state_of(const MatchMap& map) {
-  std::vector<SplineState> rivals;
-  for (const ThinPlateSpline& rival : map.rivals) rivals.push_back(state_of(rival));
-  return {state_of(map.data_from_model),
-          rivals,
-          map.scale,
-          map.similarity,
-          map.model_diagonal,
-          map.data_diagonal,
-          state_of(map.model),
-          state_of(map.data)};
+  return {state_of(map.data_from_model), state_of(map.known), map.scale, map.similarity, map.model_diagonal, map.data_diagonal,
+          state_of(map.model),           state_of(map.data)};
 }
 
 ThinPlateSpline spline_of(const SplineState& state) {
@@ -132,11 +130,14 @@ ThinPlateSpline spline_of(const SplineState& state) {
 CoveredSamples samples_of(const SamplesState& state) {
   return {vectors_of(state.first), {state.second.data(), state.second.data() + state.second.size()}};
 }
+std::vector<KnownPlace> known_of(const KnownState& state) {
+  std::vector<KnownPlace> known;
+  for (const Vec3& position : vectors_of(state.first)) known.push_back({position, state.second.at(known.size())});
+  return known;
+}
 MatchMap map_of(const MapState& state) {
-  const auto& [spline, rivals, scale, similarity, model_diagonal, data_diagonal, model, data] = state;
-  MatchMap map{spline_of(spline), {}, scale, similarity, model_diagonal, data_diagonal, samples_of(model), samples_of(data)};
-  for (const SplineState& rival : rivals) map.rivals.push_back(spline_of(rival));
-  return map;
+  const auto& [spline, known, scale, similarity, model_diagonal, data_diagonal, model, data] = state;
+  return {spline_of(spline), known_of(known), scale, similarity, model_diagonal, data_diagonal, samples_of(model), samples_of(data)};
 }
 
 }  // namespace

@@ -33,6 +33,7 @@ inline MatchMap match_by(const std::function<Vec3(const Vec3&)>& map, Chirality 
   match.scale = match.data_from_model.similarity.scale;
   match.model_diagonal = 2 * std::sqrt(3.0);
   match.data_diagonal = 3 * match.model_diagonal;
+  for (const Vec3& source : sources) match.known.push_back({source, 0.95});
   return match;
 }
 

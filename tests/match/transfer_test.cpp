@@ -95,24 +95,36 @@ TEST(InverseAt, SaysWhereAFoldedMapHasNone) {
   EXPECT_NEAR(fold(place.position).x(), 1.5, 1e-8);
 }
 
-TEST(CarryPoints, ExpectsMoreWhereTheOtherMatchesDisagree) {
-  MatchMap doubted = match;
-  doubted.rivals.assign(2, match.data_from_model);
-  const double agreed = carry_points(doubted, inside, Direction::data_from_model)[0].expected_error;
-  for (ThinPlateSpline& rival : doubted.rivals) rival.affine.col(3) += 0.2 * match.data_diagonal * Vec3::UnitX();
-  EXPECT_GT(carry_points(doubted, inside, Direction::data_from_model)[0].expected_error, 4 * agreed);
-  doubted.rivals[0] = match.data_from_model;
-  EXPECT_EQ(carry_points(doubted, inside, Direction::data_from_model)[0].expected_error, agreed);
+TEST(CarryPoints, ExpectsLessNearPairs) {
+  MatchMap paired = match;
+  paired.known = {{inside[0], 0.95}, {inside[1], 0.6}};
+  const auto without = carry_points(match, inside, Direction::data_from_model);
+  const auto with = carry_points(paired, inside, Direction::data_from_model);
+  for (std::size_t i : {0, 1, 2}) EXPECT_LT(with[i].expected_error, without[i].expected_error / (i == 0 ? 4 : 1));
+  const double back = carry_points(paired, {match.data_from_model(inside[0])}, Direction::model_from_data)[0].expected_error;
+  EXPECT_NEAR(with[0].expected_error / back, match.scale, 1e-6 * match.scale);
 }
 
-TEST(ExpectedError, GrowsWithStretchAndDisagreementAlone) {
+TEST(DoubtAt, IsTheLeastOfThePairs) {
+  const std::vector<KnownPlace> known{{{0, 0, 0}, 0.9}, {{1, 0, 0}, 0.6}};
+  const auto at = [&](double x) { return doubt_at(known, {x, 0, 0}, 10); };
+  EXPECT_LT(at(0), at(1)) << "a surer pair";
+  EXPECT_LT(at(0), at(-1));
+  EXPECT_EQ(at(-1), doubt_at({known[0]}, {-1, 0, 0}, 10));
+  EXPECT_EQ(at(1.2), doubt_at({known[1]}, {1.2, 0, 0}, 10));
+  EXPECT_EQ(doubt_at({}, {0, 0, 0}, 10), doubt_at(known, {1e6, 0, 0}, 10));
+  EXPECT_EQ(doubt_at({{{0, 0, 0}, 0}}, {0, 0, 0}, 10), doubt_at({}, {0, 0, 0}, 10)) << "a pair that is surely wrong";
+}
+
+TEST(ExpectedError, GrowsWithDoubtAndWhereTheMapIsFarFromAnySimilarity) {
   const Mat3 turn = fixtures::random_rotation(3), mirror = fixtures::mirror_x();
-  const double least = expected_error_share(2 * turn, 2, 0);
-  EXPECT_NEAR(expected_error_share(2 * turn * mirror, 2, 0), least, 1e-6);
-  const Mat3 stretched = turn * Vec3(2, 2, 4).asDiagonal(), squeezed = turn * Vec3(2, 2, 1).asDiagonal();
-  EXPECT_GT(expected_error_share(stretched, 2, 0), 2 * least);
-  EXPECT_NEAR(expected_error_share(stretched, 2, 0), expected_error_share(squeezed, 2, 0), 1e-9);
-  EXPECT_GT(expected_error_share(stretched, 2, 0.05), 2 * expected_error_share(stretched, 2, 0));
+  const double least = expected_error_share(turn, 0.1);
+  EXPECT_NEAR(expected_error_share(7 * turn * mirror, 0.1), least, 1e-6);
+  EXPECT_NEAR(expected_error_share(turn, 0.3), 3 * least, 1e-9);
+  const Mat3 stretched = turn * Vec3(1, 1, 2).asDiagonal(), squeezed = turn * Vec3(1, 1, 0.5).asDiagonal();
+  EXPECT_GT(expected_error_share(stretched, 0.1), 2 * least);
+  EXPECT_NEAR(expected_error_share(stretched, 0.1), expected_error_share(squeezed, 0.1), 1e-9);
+  EXPECT_TRUE(std::isfinite(expected_error_share(Mat3::Zero(), 0.1))) << "a map that is flat";
 }
 
 }  // namespace

@@ -58,20 +58,11 @@ TEST_F(ReadFamily, ReadsBackWhatMatchJsonWrites) {
   EXPECT_EQ(match.data_from_model.weights, warp.weights);
   EXPECT_EQ(match.data_from_model.affine, warp.affine);
   EXPECT_EQ(match.scale, 2);
-  EXPECT_TRUE(match.rivals.empty());
+  ASSERT_EQ(match.known.size(), 2u);
+  EXPECT_EQ(match.known[1].position, model.points[2].position);
+  EXPECT_EQ(match.known[1].confidence, family.matches[0].pairs[1].confidence);
   EXPECT_EQ(match.model_diagonal, 10);
   EXPECT_EQ(match.data_diagonal, 20);
-}
-
-TEST_F(ReadFamily, KnowsTheBestOtherMatchesOfEachAsItsRivals) {
-  family.matches.resize(5, family.matches[0]);
-  for (int i = 0; i < 5; ++i) family.matches[i].data_from_model.affine(0, 3) = i;
-  write_file(folder / "match.json", match_json(model, data, family, {}));
-  const StoredFamily stored = read_family(folder / "match.json");
-  ASSERT_EQ(stored.matches[1].rivals.size(), 3u);
-  EXPECT_EQ(stored.matches[1].rivals[0].affine(0, 3), 0);
-  EXPECT_EQ(stored.matches[1].rivals[1].affine(0, 3), 2);
-  EXPECT_EQ(stored.matches[0].rivals[2].affine(0, 3), 3);
 }
 
 TEST_F(ReadFamily, ReadsThePartsBesideIt) {
@@ -106,6 +97,12 @@ TEST_F(ReadFamily, SaysWhatIsWrong) {
   EXPECT_THAT(message(), HasSubstr("its version is 2, but only 1 is known"));
   write_file(folder / "match.json", "{\"format\": \"homolog-match\", \"version\": 1}");
   EXPECT_THAT(message(), HasSubstr("this is not a file of matches (key 'model' not found)"));
+  family.matches[0].pairs[0].confidence = -1;
+  write_file(folder / "match.json", match_json(model, data, family, {}));
+  EXPECT_THAT(message(), HasSubstr("the confidence of a pair is not from 0 to 1"));
+  family.matches[0].pairs[0].model = 3;
+  write_file(folder / "match.json", match_json(model, data, family, {}));
+  EXPECT_THAT(message(), HasSubstr("this is not a file of matches"));
   write_file(folder / "match.json", match_json(model, data, family, {}).substr(0, 500));
   EXPECT_THAT(message(), HasSubstr("match.json: this is not a file of matches"));
 }

@@ -13,9 +13,8 @@ namespace homolog {
 namespace {
 
 constexpr std::size_t neighbours = 6;
-constexpr std::size_t most_rivals = 3;
 constexpr double on_body = 0.1, off_body = 0.2;  // diagonals from the surface between which a point stops to belong to the shape
-constexpr double usual_disagreement = 0.042;     // extents; the median where there are other matches, for where there are none
+constexpr double most_doubt = 0.5;               // where no pair is near
 
 /// Where the nearest image of a centre says that y comes from, were the map a similarity of this scale near it.
 Vec3 first_guess(const ThinPlateSpline& f, const std::vector<Vec3>& images, double scale, const Vec3& y) {
@@ -26,27 +25,16 @@ Vec3 first_guess(const ThinPlateSpline& f, const std::vector<Vec3>& images, doub
   return f.centres[static_cast<std::size_t>(image - images.begin())] + linear.transpose() * (y - *image) / (scale * scale);
 }
 
-/// Distances from the images of places to their nearest images by another match, in extents.
-std::vector<double> disagreements(const MatchMap& match, const std::vector<Vec3>& places, const std::vector<LocalMap>& images,
-                                  double extent) {
-  std::vector<double> least(places.size(), match.rivals.empty() ? usual_disagreement : std::numeric_limits<double>::infinity());
-  for (const ThinPlateSpline& rival : match.rivals) {
-    const std::vector<LocalMap> others = local_maps(rival, places);
-    for (std::size_t i = 0; i < places.size(); ++i) {
-      least[i] = std::min(least[i], (others[i].position - images[i].position).norm() / extent);
-    }
-  }
-  return least;
-}
-
 }  // namespace
 
 std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape& model, const Shape& data,
                                  const std::vector<MatchParts>& parts) {
   std::vector<MatchMap> maps;
   for (std::size_t i = 0; i < matches.size(); ++i) {
+    std::vector<KnownPlace> known;
+    for (const Correspondence& c : matches[i].pairs) known.push_back({c.model_point.position, c.confidence});
     maps.push_back({matches[i].data_from_model,
-                    {},
+                    std::move(known),
                     matches[i].similarity.scale,
                     matches[i].similarity.matrix(),
                     model.diagonal,
@@ -54,7 +42,6 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
                     {positions_of(model.surface), parts[i].model.samples},
                     {positions_of(data.surface), parts[i].data.samples}});
   }
-  set_rivals(maps);
   return maps;
 }
 
@@ -62,22 +49,20 @@ Chirality chirality_of(const MatchMap& match) {
   return match.data_from_model.affine.leftCols<3>().determinant() < 0 ? Chirality::mirrored : Chirality::proper;
 }
 
-void set_rivals(std::vector<MatchMap>& family) {
-  for (std::size_t i = 0; i < family.size(); ++i) {
-    for (std::size_t j = 0; j < family.size() && family[i].rivals.size() < most_rivals; ++j) {
-      if (j != i) family[i].rivals.push_back(family[j].data_from_model);
-    }
+double doubt_at(const std::vector<KnownPlace>& known, const Vec3& x, double extent) {
+  double least = most_doubt;
+  for (const KnownPlace& place : known) {
+    const double distance = (x - place.position).norm() / extent + 0.02, against = (1.01 - place.confidence) / place.confidence;
+    least = std::min(least, std::cbrt(distance * distance * against));
   }
+  return least;
 }
 
-double expected_error_share(const Mat3& gradient, double scale, double disagreement) {
+double expected_error_share(const Mat3& gradient, double doubt) {
   const Eigen::SelfAdjointEigenSolver<Mat3> squares(gradient.transpose() * gradient, Eigen::EigenvaluesOnly);
-  double farthest = 0;
-  for (int k = 0; k < 3; ++k) {
-    const double stretch = std::sqrt(std::max(squares.eigenvalues()[k], 0.0)) / scale;
-    farthest = std::max(farthest, std::abs(std::log(std::max(stretch, 1e-3))));
-  }
-  return 0.184 * std::sqrt((farthest + 0.02) * (disagreement + 0.01));
+  const double largest = std::max(squares.eigenvalues()[2], std::numeric_limits<double>::min());
+  const double smallest = std::max(squares.eigenvalues()[0], 1e-9 * largest);  // where the map is flat, too, an error is expected
+  return 0.3 * std::sqrt(std::log(largest / smallest) / 2 + 0.05) * doubt;
 }
 
 double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x) {
@@ -142,10 +127,9 @@ std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<
     carried[i].exact = home.exact;
   });
   const std::vector<LocalMap> local = local_maps(match.data_from_model, homes);
-  const std::vector<double> disagreement = disagreements(match, homes, local, extent);
   for (std::size_t i = 0; i < points.size(); ++i) {
-    carried[i].expected_error =
-        (forwards ? extent : extent / match.scale) * expected_error_share(local[i].gradient, match.scale, disagreement[i]);
+    const double doubt = doubt_at(match.known, homes[i], extent / match.scale);
+    carried[i].expected_error = (forwards ? extent : extent / match.scale) * expected_error_share(local[i].gradient, doubt);
     carried[i].position = forwards ? local[i].position : homes[i];
   }
   return carried;

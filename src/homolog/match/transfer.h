@@ -15,25 +15,28 @@ struct CoveredSamples {
   std::vector<float> weights;
 };
 
+/// The model's point of a pair: there the map is known, as surely as the pair is.
+struct KnownPlace {
+  Vec3 position;
+  double confidence;
+};
+
 /// A match, as far as carrying points needs it.
 struct MatchMap {
   ThinPlateSpline data_from_model;
-  std::vector<ThinPlateSpline> rivals;  ///< the maps of the three best other matches of its family
+  std::vector<KnownPlace> known;
   double scale = 1;
   Mat4 similarity = Mat4::Identity();  ///< data_from_model as far as a similarity can tell, of homogeneous columns
   double model_diagonal = 0, data_diagonal = 0;
   CoveredSamples model, data;  ///< empty: which part is covered is not known
 };
 
-/// The matches of a family, each with its rivals and the covered samples of `parts` (covered_parts()).
+/// The matches of a family, each with the covered samples of `parts` (covered_parts()).
 std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape& model, const Shape& data,
                                  const std::vector<MatchParts>& parts);
 
 /// Whether the map turns right-handed into left-handed.
 Chirality chirality_of(const MatchMap& match);
-
-/// Gives each its rivals; maps in the order of the family, best first.
-void set_rivals(std::vector<MatchMap>& family);
 
 enum class Direction { data_from_model, model_from_data };
 
@@ -67,10 +70,13 @@ std::vector<Vec3> images_of_centres(const ThinPlateSpline& f);
 /// `images`: images_of_centres(f); `scale`: of the map as a whole.
 InversePlace inverse_at(const ThinPlateSpline& f, const std::vector<Vec3>& images, double scale, const Vec3& y);
 
-/// Median error to expect at a point, as a share of the matched extent: .184 sqrt((s + .02) (d + .01)). s = max |log(singular value of the
-/// gradient / scale)| is how far the map there is from the whole's similarity; d, a share too, how far the nearest image by another match
-/// lies: where two matches agree, both are likely right. Fitted to matches with known truth; docs/accuracy.md tells how it holds
-/// (bench/transfer.cpp).
-double expected_error_share(const Mat3& gradient, double scale, double disagreement);
+/// How little is known of the map at x: the least of ((d + .02)^2 (1.01 - c) / c)^(1/3) over the known places, d their distance as a share
+/// of the matched extent (`extent`, in the model's unit), c their confidence; at most .5.
+double doubt_at(const std::vector<KnownPlace>& known, const Vec3& x, double extent);
+
+/// Median error to expect at a point, as a share of the matched extent: .3 sqrt(a + .05) times the doubt there. a, the logarithm of the
+/// ratio of the gradient's largest and smallest singular value, is how far the map is from any similarity. Fitted to matches with known
+/// truth; docs/accuracy.md tells how it holds (bench/transfer.cpp).
+double expected_error_share(const Mat3& gradient, double doubt);
 
 }  // namespace homolog

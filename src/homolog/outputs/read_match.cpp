@@ -50,6 +50,17 @@ ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
   return warp;
 }
 
+std::vector<KnownPlace> read_known(const ordered_json& pairs, const ordered_json& points, const std::string& file) {
+  std::vector<KnownPlace> known;
+  for (const ordered_json& pair : pairs) {
+    const auto x = points.at(pair.at("model").get<std::size_t>()).at("position").get<std::array<double, 3>>();
+    const double confidence = pair.at("confidence");
+    if (!(confidence >= 0 && confidence <= 1)) fail(file, "the confidence of a pair is not from 0 to 1; the file is damaged");
+    known.push_back({Vec3(x[0], x[1], x[2]), confidence});
+  }
+  return known;
+}
+
 bool states_ras(const ordered_json& shape) { return shape.value("coordinate_system", "") == "RAS"; }
 
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
@@ -59,6 +70,7 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   for (const ordered_json& item : json.at("matches")) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
+    match.known = read_known(item.at("pairs"), model.at("points"), file);
     match.scale = item.at("scale");
     for (int row = 0; row < 4; ++row) {
       const auto values = item.at("data_from_model").at(row).get<std::array<double, 4>>();
@@ -70,7 +82,6 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
       fail(file, "a size is not positive; the file is damaged");
     family.matches.push_back(std::move(match));
   }
-  set_rivals(family.matches);
   return family;
 }
 
