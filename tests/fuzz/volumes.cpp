@@ -9,7 +9,7 @@
 namespace homolog::fuzz {
 namespace {
 
-constexpr std::uint64_t most_voxels = 300;       // the seeds have 240
+const ReadLimits limits{most_bytes, 0, 300};     // the seeds have 240 voxels
 constexpr std::uint64_t most_with_surface = 12;  // surfaces of more take the time of many files
 
 std::string read_other(const std::string&) { return volumes::voxels(); }
@@ -22,7 +22,7 @@ std::function<void(const std::string&)> runs(const Read& read) {
         [&](const std::string& content, const std::string& file) {
           const RawVolume volume = read(content, file);
           require(volume.bytes.size() == volume.voxels() * bytes_of(volume.type), "all voxels are there");
-          require(volume.voxels() <= most_voxels, "no more voxels than allowed");
+          require(volume.voxels() <= limits.voxels, "no more voxels than allowed");
           return volume.voxels() > most_with_surface ? Mesh() : label_surface(volume, 0, file);
         },
         bytes);
@@ -34,21 +34,21 @@ std::function<void(const std::string&)> runs(const Read& read) {
 Target nifti() {
   return {"nifti",
           {volumes::nifti(), volumes::nifti(false, std::endian::big), volumes::nifti2(), volumes::compressed(volumes::nifti(), true)},
-          runs([](const std::string& bytes, const std::string& file) { return read_nifti(bytes, file, most_voxels); })};
+          runs([](const std::string& bytes, const std::string& file) { return read_nifti(bytes, file, limits); })};
 }
 
 Target nrrd() {
   return {"nrrd",
           {volumes::nrrd(), volumes::nrrd(true, false), volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: -1\n", ""),
            "NRRD0001\ntype: double\ndimension: 3\nsizes: 1 1 1\nspacings: 1 2 3\nendian: big\nencoding: raw\n\n\x3f\xf0\1\1\1\1\1\1"},
-          runs([](const std::string& bytes, const std::string& file) { return read_nrrd(bytes, file, most_voxels, read_other); })};
+          runs([](const std::string& bytes, const std::string& file) { return read_nrrd(bytes, file, limits, read_other); })};
 }
 
 Target metaimage() {
   return {"metaimage",
           {volumes::metaimage(), volumes::metaimage(true), volumes::metaimage(false, "voxels.raw"),
            "NDims = 3\nDimSize = 1 1 1\nHeaderSize = -1\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n\1"},
-          runs([](const std::string& bytes, const std::string& file) { return read_metaimage(bytes, file, most_voxels, read_other); })};
+          runs([](const std::string& bytes, const std::string& file) { return read_metaimage(bytes, file, limits, read_other); })};
 }
 
 }  // namespace homolog::fuzz

@@ -86,6 +86,12 @@ TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
   expect_error("noextension", "something", "is not known");
 }
 
+TEST_F(ReadMesh, KnowsOtherFormatsUnderTheNameOfAScene) {
+  const std::string obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* name : {"a.dae", "a.fbx", "a.3ds", "a.ac"}) EXPECT_EQ(read(name, obj).triangles.size(), 1u) << name;
+  expect_error("a.obj", "; FBX 7.3.0 project file\n", "this is an FBX file; rename it to end in .fbx");
+}
+
 TEST_F(ReadMesh, RefusesMeshesThatAreTooLarge) {
   const std::filesystem::path path = write("a.off", "OFF\n");
   std::filesystem::resize_file(path, (std::uintmax_t{2} << 30) + 1);  // sparse: takes no room

@@ -74,7 +74,25 @@ TEST_F(ReadStl, RefusesDamagedText) {
   expect_error("a.stl", "solid nothing\nendsolid nothing\n", "no triangles");
   expect_error("a.stl", "solid x\nfacet\nvertex 0 0 0\nvertex 1 0 0\nendfacet\n", "line 5: a facet has not three vertices");
   expect_error("a.stl", "solid x\nvertex 0 0 zero\n", "line 2: 'zero' is not a finite number");
-  expect_error("a.stl", "solid x\nfacade\n", "line 2: the line starts with a word");
+  expect_error("a.stl", "solid x\nfacade\n", "line 2: the line holds a word");
+}
+
+TEST_F(ReadStl, FacetsMayStandInOneLine) {
+  std::string text = stl_text(box);
+  for (const char* word : {"outer", "vertex", "endloop", "endfacet"}) {
+    for (std::size_t at = 0; (at = text.find(std::string("\n") + word, at)) != text.npos;) text[at] = ' ';
+  }
+  EXPECT_NEAR(meshes::volume(read("a.stl", text)), 6, 1e-12);
+  EXPECT_NEAR(meshes::volume(read("b.stl", text + text)), 12, 1e-12) << "two solids, each with a name";
+}
+
+TEST_F(ReadStl, RefusesToForgetTrianglesThatAreNotCounted) {
+  const std::string bytes = stl_bytes(box);
+  EXPECT_EQ(read("a.stl", bytes + "7 bytes").triangles.size(), 12u);
+  std::string fewer = bytes;
+  fewer[80] = 11;
+  expect_error("a.stl", fewer, "11 triangles are announced, but the file goes on");
+  expect_error("a.stl", bytes + bytes, "12 triangles are announced, but the file goes on");
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 // Volume files through read_mesh(): the surface of the label must lie where the header says.
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "homolog/shape/label_surface.h"
 #include "homolog/shape/orient.h"
 #include "shape/files.h"
@@ -23,6 +25,17 @@ void expect_box_of_ones(const Mesh& mesh) {
   EXPECT_GT(meshes::volume(mesh), 0.5 * (6 * 12 * 12));
 }
 
+std::string with_slope(float slope) {
+  std::string bytes = volumes::nifti();
+  volumes::put<float>(bytes, 112, slope, std::endian::little);  // scl_slope
+  return bytes;
+}
+
+std::string with_capitals(std::string nrrd) {
+  for (const char* word : {"right-anterior-superior", "uchar", "raw", "space directions"}) nrrd[nrrd.find(word)] -= 'a' - 'A';
+  return nrrd;
+}
+
 TEST_F(ReadVolume, EveryFormatLiesInTheSamePlace) {
   const std::pair<std::string, std::string> files[] = {
       {"a.nii", volumes::nifti()},
@@ -35,6 +48,10 @@ TEST_F(ReadVolume, EveryFormatLiesInTheSamePlace) {
       {"h.nrrd", volumes::nrrd(false, false)},
       {"i.mha", volumes::metaimage()},
       {"j.mha", volumes::metaimage(true)},
+      {"two packed ones after each other.nii.gz",
+       volumes::compressed(volumes::nifti().substr(0, 400), true) + volumes::compressed(volumes::nifti().substr(400), true)},
+      {"no scale.nii", with_slope(std::numeric_limits<float>::quiet_NaN())},
+      {"capitals.nrrd", with_capitals(volumes::nrrd())},
       {"called_anything", volumes::nifti()},
   };
   for (const auto& [name, content] : files) {
@@ -80,9 +97,7 @@ TEST_F(ReadVolume, ScaleInAFloatLeavesLabelsWhole) {
 }
 
 TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
-  std::string scan = volumes::nifti();
-  volumes::put<float>(scan, 112, 0.5f, std::endian::little);  // scl_slope
-  expect_error("a.nii", scan, "labels are whole numbers");
+  expect_error("a.nii", with_slope(0.5f), "labels are whole numbers");
   expect_error("b.nii", volumes::nifti(true, std::endian::little, std::string(240, '\0')), "all voxels are 0");
   std::string series = volumes::nifti();
   volumes::put<std::int16_t>(series, 40, 4, std::endian::little);
@@ -93,11 +108,21 @@ TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
   expect_error("d.nii", flat, "do not span space");
 }
 
+TEST_F(ReadVolume, TheBackgroundIsNoShapeUnlessAskedFor) {
+  std::string inverted = volumes::voxels(), block(240, '\1');
+  for (char& voxel : inverted) voxel = voxel == 0;
+  const auto file = [](const std::string& voxels) { return volumes::nifti(true, std::endian::little, voxels); };
+  expect_error("a.nii", file(inverted), "the label 1 fills the border of the volume, as a background does");
+  EXPECT_FALSE(read_mesh(write("a.nii", file(inverted)), {}, 1).triangles.empty());
+  EXPECT_FALSE(read("b.nii", file(block)).triangles.empty()) << "a block is one, even if nothing is left around it";
+}
+
 TEST_F(ReadVolume, FieldsThatLackOrStandTwiceAreNamed) {
   expect_error("a.nrrd", volumes::nrrd(false, true, "sizes: 8 6 5\n"), "the field 'sizes' stands twice");
   expect_error("b.mha", "NDims = 3\nNDims = 3\n", "line 2: the field 'NDims' stands twice");
   expect_error("c.mha", "NDims = 3\nElementDataFile = LOCAL\n", "the header lacks the field 'DimSize'");
   expect_error("d.nrrd", "NRRD0004\ndimension: 3\n\n", "the header lacks the field 'sizes'");
+  expect_error("e.nrrd", volumes::nrrd(false, true, "axis mins: 1 2 3\n"), "'axis mins' are not read");
 }
 
 TEST_F(ReadVolume, TruncatedAndLyingFilesAreRefused) {
@@ -110,6 +135,8 @@ TEST_F(ReadVolume, TruncatedAndLyingFilesAreRefused) {
   for (std::size_t i = 42; i < 48; i += 2) volumes::put<std::int16_t>(huge, i, 32767, std::endian::little);
   expect_error("c.nii", huge, "voxels are more than the");
   EXPECT_THROW(read_mesh(write("d.nii", volumes::nifti()), {most_bytes, 1000, 239}), FileError);
+  EXPECT_THROW(read_mesh(write("e.nii.gz", volumes::compressed(volumes::nifti(), true)), {239, 1000, 1000}), FileError)
+      << "what is unpacked is larger than the file";
 }
 
 }  // namespace

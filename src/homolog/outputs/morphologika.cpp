@@ -49,8 +49,7 @@ Sections read_sections(Text& text) {
     if (line[0] == '"') {
       sections.comments.push_back(comment_of(line));
     } else if (line[0] == '[') {
-      std::string name(line.substr(1, line.find(']') - 1));
-      std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
+      const std::string name = lower(line.substr(1, line.find(']') - 1));
       if (sections.lines.count(name) > 0) fail(text, fmt::format("the section [{}] stands twice", shown(name)));
       section = &sections.lines[name];
     } else if (section == nullptr) {

@@ -4,9 +4,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cctype>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
@@ -53,16 +53,11 @@ struct Scene {
 
 constexpr Scene scenes[] = {
     {"Kaydara FBX Binary", ".fbx", "an FBX file"},
+    {"; FBX", ".fbx", "an FBX file"},
     {"AC3Db", ".ac", "an AC3D file"},
 };
 
 [[noreturn]] void refuse(const std::string& file, std::string_view what) { throw FileError(fmt::format("{}: this is {}", file, what)); }
-
-std::string lower(std::string_view text) {
-  std::string result(text);
-  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
-  return result;
-}
 
 void refuse_markup(std::string_view start, const std::string& extension, const std::string& file) {
   const std::string text = lower(start);

@@ -39,7 +39,10 @@ std::string inflate(std::string_view compressed, std::size_t wanted, const std::
     const int result = ::inflate(&stream.z, Z_NO_FLUSH);
     taken += given - stream.z.avail_in;
     bytes.resize(before + room - stream.z.avail_out);
-    if (result == Z_STREAM_END) break;
+    if (result == Z_STREAM_END) {
+      if (!is_gzip(compressed.substr(taken)) || inflateReset(&stream.z) != Z_OK) break;  // gzip files may follow each other in one
+      continue;
+    }
     if (result != Z_OK && !(result == Z_BUF_ERROR && bytes.size() > before)) {
       throw FileError(
           fmt::format("{}: the compressed data end or break off after {} bytes; the file is truncated or damaged", file, bytes.size()));

@@ -7,6 +7,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <set>
 
 #include "homolog/base/errors.h"
@@ -18,6 +19,7 @@ namespace {
 constexpr int rounds = 20;                 // of smoothing: more change nothing that is found later
 constexpr std::size_t most_labels = 1000;  // beyond, the values are those of a scan
 constexpr std::size_t shown_labels = 12;
+constexpr double border_share = 0.95;  // of the border's voxels, which a shape that is cropped closely does not reach
 
 /// A scale in a header, kept as a float, leaves a label beside the whole number that it was.
 double whole(double value) {
@@ -56,6 +58,20 @@ long long chosen(const std::set<long long>& labels, const Label& label, const st
   throw FileError(fmt::format("{}: it holds the labels {}; say which one is meant (--label N, 0 for all)", file, list));
 }
 
+/// Is this the background, or the shape with all around it? It fills the border of the volume, and more than it is a block.
+bool is_background(const RawVolume& volume, const std::function<bool(std::size_t)>& inside) {
+  const auto [nx, ny, nz] = volume.size;
+  std::size_t border = 0, on_border = 0, all = 0;
+  for (std::size_t i = 0; i < volume.voxels(); ++i) {
+    const auto n = static_cast<std::int64_t>(i), x = n % nx, y = n / nx % ny, z = n / nx / ny;
+    const bool at_border = x == 0 || y == 0 || z == 0 || x == nx - 1 || y == ny - 1 || z == nz - 1, is_inside = inside(i);
+    border += at_border;
+    on_border += at_border && is_inside;
+    all += is_inside;
+  }
+  return all < volume.voxels() && static_cast<double>(on_border) > border_share * static_cast<double>(border);
+}
+
 struct Crop {
   std::array<std::int64_t, 3> first, end;
 };
@@ -80,6 +96,12 @@ Crop crop_to(const RawVolume& volume, const Inside& inside) {
 Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file) {
   const auto wanted = static_cast<double>(chosen(labels_of(volume, file), label, file));
   const auto inside = [&](std::size_t i) { return wanted == 0 ? volume.value(i) != 0 : whole(volume.value(i)) == wanted; };
+  if (!label && is_background(volume, inside)) {
+    throw FileError(
+        fmt::format("{}: the label {} fills the border of the volume, as a background does, and there is no other; save the "
+                    "shape as a label of its own, or ask for this one (--label {})",
+                    file, wanted, wanted));
+  }
   const Crop crop = crop_to(volume, inside);
   SliceField field;
   for (int axis = 0; axis < 3; ++axis) field.size[axis] = static_cast<int>(crop.end[axis] - crop.first[axis]);

@@ -21,15 +21,19 @@ double RawVolume::value(std::size_t voxel) const {
   return slope * stored_number(bytes.data() + voxel * bytes_of(type), type, order) + intercept;
 }
 
-void check_header(const RawVolume& volume, const std::string& file, std::uint64_t most_voxels) {
+void check_header(const RawVolume& volume, const std::string& file, const ReadLimits& limits) {
   std::uint64_t voxels = 1;
   for (const std::int64_t side : volume.size) {
     if (side < 1) throw FileError(fmt::format("{}: a side of the volume has {} voxels; the file is damaged", file, side));
-    if (static_cast<std::uint64_t>(side) > most_voxels / voxels) {
+    if (static_cast<std::uint64_t>(side) > limits.voxels / voxels) {
       throw FileError(fmt::format("{}: {} x {} x {} voxels are more than the {} that are read; resample or crop the volume", file,
-                                  volume.size[0], volume.size[1], volume.size[2], most_voxels));
+                                  volume.size[0], volume.size[1], volume.size[2], limits.voxels));
     }
     voxels *= static_cast<std::uint64_t>(side);
+  }
+  if (voxels > limits.bytes / bytes_of(volume.type)) {
+    throw FileError(fmt::format("{}: {} voxels of {} bytes are more than the {} bytes that are read; save labels as numbers of one byte",
+                                file, voxels, bytes_of(volume.type), limits.bytes));
   }
   const Mat3 axes = volume.world_from_voxel.topLeftCorner<3, 3>();
   const double lengths = axes.colwise().norm().prod();
@@ -39,6 +43,14 @@ void check_header(const RawVolume& volume, const std::string& file, std::uint64_
   }
   if (!std::isfinite(volume.slope) || !std::isfinite(volume.intercept)) {
     throw FileError(fmt::format("{}: the scale of the values in the header is not a finite number; the file is damaged", file));
+  }
+}
+
+void check_complete(const RawVolume& volume, const std::string& file) {
+  const std::size_t length = volume.voxels() * bytes_of(volume.type);
+  if (volume.bytes.size() < length) {
+    throw FileError(
+        fmt::format("{}: {} bytes of voxels are announced, but {} are there; the file is truncated", file, length, volume.bytes.size()));
   }
 }
 
@@ -58,10 +70,7 @@ void take_voxels(RawVolume& volume, std::string_view behind_header, const Stored
   volume.bytes = first > available   ? std::string()
                  : stored.compressed ? inflate(behind_header, length, file)
                                      : std::string(behind_header.substr(0, length));
-  if (volume.bytes.size() < length) {
-    throw FileError(
-        fmt::format("{}: {} bytes of voxels are announced, but {} are there; the file is truncated", file, length, volume.bytes.size()));
-  }
+  check_complete(volume, file);
 }
 
 }  // namespace homolog

@@ -12,6 +12,7 @@
 
 #include "homolog/base/vec.h"
 #include "homolog/shape/number_type.h"
+#include "homolog/shape/read_limits.h"
 
 namespace homolog {
 
@@ -27,9 +28,12 @@ struct RawVolume {
   double value(std::size_t voxel) const;
 };
 
-/// Checks that the header makes sense, `file` being its name for messages, and that there are no more than so many voxels. Throws
-/// FileError.
-void check_header(const RawVolume& volume, const std::string& file, std::uint64_t most_voxels);
+/// Checks that the header makes sense, `file` being its name for messages, and that its voxels, and their bytes when unpacked, are not too
+/// many. Throws FileError.
+void check_header(const RawVolume& volume, const std::string& file, const ReadLimits& limits);
+
+/// Checks that the bytes of all voxels are there. Throws FileError.
+void check_complete(const RawVolume& volume, const std::string& file);
 
 /// How the voxels stand in the file, after the header or in a file of their own.
 struct StoredVoxels {

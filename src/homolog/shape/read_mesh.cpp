@@ -58,9 +58,9 @@ std::string start_of(const fs::path& path) {
 
 std::optional<RawVolume> read_volume(std::string_view content, const fs::path& path, const ReadLimits& limits) {
   const ReadOther read_other = [&](const std::string& name) { return read_beside(path, name, limits.bytes); };
-  if (is_nifti(content, path.string())) return read_nifti(content, path.string(), limits.voxels);
-  if (is_nrrd(content)) return read_nrrd(content, path.string(), limits.voxels, read_other);
-  if (is_metaimage(content)) return read_metaimage(content, path.string(), limits.voxels, read_other);
+  if (is_nifti(content, path.string())) return read_nifti(content, path.string(), limits);
+  if (is_nrrd(content)) return read_nrrd(content, path.string(), limits, read_other);
+  if (is_metaimage(content)) return read_metaimage(content, path.string(), limits, read_other);
   return {};
 }
 
@@ -98,6 +98,11 @@ Mesh read_content(const fs::path& path, std::string_view content, const ReadLimi
       path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
 }
 
+/// Another format under the name of a scene?
+bool is_misnamed(std::string_view start) {
+  return start.starts_with("ply") || is_vtk(start) || is_vtp(start) || is_stl(start) || is_obj(start) || is_gltf(start) || is_off(start);
+}
+
 /// What 3D Slicer writes into the comments at the head of PLY, OBJ, STL and VTK files.
 bool states_ras(std::string_view content) { return content.substr(0, 1024).find("SPACE=RAS") != content.npos; }
 
@@ -122,7 +127,8 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
 Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
   check_file(path, limits.bytes);
   const auto& scenes = scene_extensions();
-  const bool is_scene = std::find(scenes.begin(), scenes.end(), lower_extension(path)) != scenes.end();
+  const bool is_scene = std::find(scenes.begin(), scenes.end(), lower_extension(path)) != scenes.end() &&
+                        !is_misnamed(without_byte_order_mark(start_of(path)));
   const std::string content = is_scene ? std::string() : read_file(path, limits.bytes);
   const std::optional<RawVolume> volume = is_scene ? std::nullopt : read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave --label out", path.string()));

@@ -68,7 +68,7 @@ Mat4 world_of(const Text& text, const HeaderFields& fields) {
 
 bool is_metaimage(std::string_view content) { return content.substr(0, 10) == "ObjectType" || content.substr(0, 5) == "NDims"; }
 
-RawVolume read_metaimage(std::string_view content, const std::string& file, std::uint64_t most_voxels, const ReadOther& read_other) {
+RawVolume read_metaimage(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other) {
   Text text{file, content};
   const HeaderFields fields = read_fields(text);
   if (whole(text, fields, "NDims", 0) != 3) fail(text, "a solid needs a volume of 3 dimensions (NDims = 3)");
@@ -81,7 +81,7 @@ RawVolume read_metaimage(std::string_view content, const std::string& file, std:
   const bool big = is_true(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
   volume.order = big ? std::endian::big : std::endian::little;
   volume.world_from_voxel = world_of(text, fields);
-  check_header(volume, file, most_voxels);
+  check_header(volume, file, limits);
   StoredVoxels stored{is_true(fields, {"CompressedData"}), other_file(text, fields, {"ElementDataFile"}),
                       whole(text, fields, "HeaderSize", 0)};
   if (stored.skip < -1) fail(text, "HeaderSize is below -1; the file is damaged");

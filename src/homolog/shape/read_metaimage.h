@@ -13,6 +13,6 @@ bool is_metaimage(std::string_view content);
 
 /// The volume in the bytes of a MetaImage file; `file` is its name for messages. Throws FileError (truncated, malformed, not of three
 /// dimensions, several channels, more voxels than allowed).
-RawVolume read_metaimage(std::string_view content, const std::string& file, std::uint64_t most_voxels, const ReadOther& read_other);
+RawVolume read_metaimage(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other);
 
 }  // namespace homolog

@@ -113,7 +113,7 @@ bool is_nifti(std::string_view content, const std::string& file) {
   return header.layout && (begin.substr(header.layout->magic, 2) == "n+" || begin.substr(header.layout->magic, 2) == "ni");
 }
 
-RawVolume read_nifti(std::string_view content, const std::string& file, std::uint64_t most_voxels) {
+RawVolume read_nifti(std::string_view content, const std::string& file, const ReadLimits& limits) {
   const bool compressed = is_gzip(content);
   const std::string begin = compressed ? inflate(content, version2.header, file) : std::string(content.substr(0, version2.header));
   const Header header = find_layout(begin);
@@ -128,11 +128,12 @@ RawVolume read_nifti(std::string_view content, const std::string& file, std::uin
   volume.world_from_voxel = Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world_of(header);  // LPS
   volume.type = type_of(field<std::int16_t>(begin, layout.datatype, header.order), file);
   volume.order = header.order;
-  if (const double slope = header.real(layout.slope, 0); slope != 0) {
+  const double slope = header.real(layout.slope, 0), intercept = header.real(layout.intercept, 0);
+  if (std::isfinite(slope) && std::isfinite(intercept) && slope != 0) {  // else the values are the numbers, as programs mean it
     volume.slope = slope;
-    volume.intercept = header.real(layout.intercept, 0);
+    volume.intercept = intercept;
   }
-  check_header(volume, file, most_voxels);
+  check_header(volume, file, limits);
   const double offset =
       layout.wide ? static_cast<double>(field<std::int64_t>(begin, layout.offset, header.order)) : header.real(layout.offset, 0);
   const std::size_t length = volume.voxels() * bytes_of(volume.type);
@@ -140,8 +141,9 @@ RawVolume read_nifti(std::string_view content, const std::string& file, std::uin
     throw FileError(fmt::format("{}: the voxels begin at byte {}, which is no place for them; the file is damaged", file, offset));
   }
   const auto first = static_cast<std::size_t>(offset);
-  const std::string unpacked = compressed ? inflate(content, first + length, file) : std::string();
-  take_voxels(volume, compressed ? std::string_view(unpacked) : content, {false, "", static_cast<std::int64_t>(first)}, {}, file);
+  volume.bytes = compressed ? inflate(content, first + length, file) : std::string(content.substr(0, first + length));
+  volume.bytes.erase(0, first);
+  check_complete(volume, file);
   return volume;
 }
 

@@ -15,6 +15,6 @@ bool is_nifti(std::string_view content, const std::string& file);
 /// The volume in the bytes of a NIfTI file; `file` is its name for messages. World coordinates are those of the sform, else of the qform,
 /// else of the voxel sizes alone, turned to LPS. Throws FileError (truncated, malformed, not one volume of three dimensions, more voxels
 /// than allowed).
-RawVolume read_nifti(std::string_view content, const std::string& file, std::uint64_t most_voxels);
+RawVolume read_nifti(std::string_view content, const std::string& file, const ReadLimits& limits);
 
 }  // namespace homolog

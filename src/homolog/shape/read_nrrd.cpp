@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cctype>
-
 #include "homolog/shape/header_fields.h"
 
 namespace homolog {
@@ -22,9 +19,7 @@ HeaderFields read_fields(Text& text) {
     if (colon == std::string_view::npos || colon + 1 >= line.size())
       fail(text, "this line of the header has no field; the file is damaged");
     if (line[colon + 1] == '=') continue;  // a key of the user's own
-    std::string name(line.substr(0, colon));
-    std::transform(name.begin(), name.end(), name.begin(), [](unsigned char c) { return std::tolower(c); });
-    add_field(text, fields, std::move(name), line.substr(colon + 1));
+    add_field(text, fields, lower(line.substr(0, colon)), line.substr(colon + 1));
   }
   return fields;
 }
@@ -41,7 +36,7 @@ NumberType type_of(const Text& text, const HeaderField& field) {
       {"longlong", NumberType::int64},      {"int64", NumberType::int64},         {"int64_t", NumberType::int64},
       {"ulonglong", NumberType::uint64},    {"uint64", NumberType::uint64},       {"uint64_t", NumberType::uint64},
       {"float", NumberType::float32},       {"double", NumberType::float64}};
-  const std::string name = rest_of(field.text);
+  const std::string name = lower(rest_of(field.text));
   for (const auto& [word, type] : types) {
     if (word == name) return type;
   }
@@ -62,15 +57,17 @@ Mat4 world_of(const Text& text, const HeaderFields& fields) {
     FieldNumbers numbers(text, *origin, blanks);
     for (int axis = 0; axis < 3; ++axis) world(axis, 3) = numbers.real();
   }
-  const std::string_view space = word_of(fields, {"space"});
-  if (space == "right-anterior-superior" || space == "RAS") return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world;
-  if (space == "left-anterior-superior" || space == "LAS") return Eigen::Vector4d(1, -1, 1, 1).asDiagonal() * world;
+  if (const HeaderField* mins = find_field(fields, {"axis mins", "axismins"}))
+    fail({text.file, {}, mins->line}, "'axis mins' are not read; save the volume with 'space directions' and 'space origin'");
+  const std::string space = lower(word_of(fields, {"space"}));
+  if (space == "right-anterior-superior" || space == "ras") return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world;
+  if (space == "left-anterior-superior" || space == "las") return Eigen::Vector4d(1, -1, 1, 1).asDiagonal() * world;
   return world;
 }
 
 StoredVoxels stored_as(const Text& text, const HeaderFields& fields) {
   StoredVoxels stored;
-  const std::string_view encoding = word_of(fields, {"encoding"});
+  const std::string encoding = lower(word_of(fields, {"encoding"}));
   stored.compressed = encoding == "gzip" || encoding == "gz";
   if (!stored.compressed && encoding != "raw") {
     fail(text, fmt::format("the encoding '{}' is not read; save the volume as raw or gzip", shown(encoding)));
@@ -90,7 +87,7 @@ StoredVoxels stored_as(const Text& text, const HeaderFields& fields) {
 
 bool is_nrrd(std::string_view content) { return content.substr(0, 7) == "NRRD000"; }
 
-RawVolume read_nrrd(std::string_view content, const std::string& file, std::uint64_t most_voxels, const ReadOther& read_other) {
+RawVolume read_nrrd(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other) {
   Text text{file, content};
   std::string_view line;
   if (!is_nrrd(content) || !next_line(text, line)) fail(text, "this is not a NRRD file (its first line is not 'NRRD000')");
@@ -102,12 +99,13 @@ RawVolume read_nrrd(std::string_view content, const std::string& file, std::uint
   FieldNumbers sizes(text, needed_field(text, fields, "sizes"), blanks);
   for (std::int64_t& side : volume.size) side = sizes.whole();
   volume.type = type_of(text, needed_field(text, fields, "type"));
-  volume.order = word_of(fields, {"endian"}) == "big" ? std::endian::big : std::endian::little;
-  if (bytes_of(volume.type) > 1 && volume.order == std::endian::little && word_of(fields, {"endian"}) != "little") {
+  const std::string order = lower(word_of(fields, {"endian"}));
+  volume.order = order == "big" ? std::endian::big : std::endian::little;
+  if (bytes_of(volume.type) > 1 && volume.order == std::endian::little && order != "little") {
     fail(text, "the header does not say 'endian: little' or 'endian: big'");
   }
   volume.world_from_voxel = world_of(text, fields);
-  check_header(volume, file, most_voxels);
+  check_header(volume, file, limits);
   take_voxels(volume, text.rest, stored_as(text, fields), read_other, file);
   return volume;
 }

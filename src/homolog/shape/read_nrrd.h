@@ -13,6 +13,6 @@ bool is_nrrd(std::string_view content);
 
 /// The volume in the bytes of a NRRD file; `file` is its name for messages. The spaces RAS and LAS are turned to LPS, all others stay.
 /// Throws FileError (truncated, malformed, not of three dimensions, encodings other than raw and gzip, more voxels than allowed).
-RawVolume read_nrrd(std::string_view content, const std::string& file, std::uint64_t most_voxels, const ReadOther& read_other);
+RawVolume read_nrrd(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other);
 
 }  // namespace homolog

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <bit>
-#include <cctype>
 #include <cmath>
 #include <cstring>
 
@@ -31,9 +30,7 @@ std::size_t announced_triangles(std::string_view content) {
 bool is_text(std::string_view content) {
   if (content.size() == header_bytes + triangle_bytes * announced_triangles(content)) return false;
   content.remove_prefix(std::min(content.find_first_not_of(" \t\r\n"), content.size()));
-  std::string start(content.substr(0, 5));
-  std::transform(start.begin(), start.end(), start.begin(), [](unsigned char c) { return std::tolower(c); });
-  return start == "solid" && content.substr(0, 1000).find('\0') == std::string_view::npos;
+  return lower(content.substr(0, 5)) == "solid" && content.substr(0, 1000).find('\0') == std::string_view::npos;
 }
 
 void append_triangle(Mesh& mesh) {
@@ -49,6 +46,9 @@ Mesh read_binary(std::string_view content, const std::string& file) {
   if (content.size() < header_bytes || (content.size() - header_bytes) / triangle_bytes < count) {
     throw FileError(
         fmt::format("{}: {} triangles are announced, but the file is too short for them; it is truncated or damaged", file, count));
+  }
+  if (content.size() - header_bytes - triangle_bytes * count >= triangle_bytes) {  // a few bytes at the end are a habit
+    throw FileError(fmt::format("{}: {} triangles are announced, but the file goes on after them; export it again", file, count));
   }
   Mesh mesh;
   mesh.vertices.reserve(3 * count);
@@ -68,25 +68,29 @@ Mesh read_binary(std::string_view content, const std::string& file) {
   return mesh;
 }
 
-Mesh read_text(std::string_view content, const std::string& file) {
-  Text text{file, content};
-  Mesh mesh;
-  std::string_view line;
-  bool ended = false;
-  while (next_line(text, line)) {
-    std::string word(take_word(line));
-    std::transform(word.begin(), word.end(), word.begin(), [](unsigned char c) { return std::tolower(c); });
-    if (word.empty() || word == "outer" || word == "endloop") continue;
+// What stands in a line, which may be a whole facet. Whatever follows "solid" and "facet", a name or a normal, says nothing of the shape.
+void read_line(Text& text, std::string_view line, Mesh& mesh, bool& ended) {
+  for (std::string word = lower(take_word(line)); !word.empty(); word = lower(take_word(line))) {
     ended = word == "endsolid";
     if (word == "vertex") {
       mesh.vertices.push_back(take_position(text, line));
     } else if (word == "facet" || word == "endfacet" || word == "solid" || word == "endsolid") {
       if (word == "endfacet") append_triangle(mesh);
       if (mesh.vertices.size() != 3 * mesh.triangles.size()) fail(text, "a facet has not three vertices; the file is damaged");
-    } else {
-      fail(text, "the line starts with a word that STL does not know; the file is damaged");
+      if (word == "solid" || word == "endsolid") return;
+      if (word == "facet") line.remove_prefix(std::min(lower(line).find("outer"), line.size()));
+    } else if (word != "outer" && word != "loop" && word != "endloop") {
+      fail(text, "the line holds a word that STL does not know; the file is damaged");
     }
   }
+}
+
+Mesh read_text(std::string_view content, const std::string& file) {
+  Text text{file, content};
+  Mesh mesh;
+  std::string_view line;
+  bool ended = false;
+  while (next_line(text, line)) read_line(text, line, mesh, ended);
   if (!ended) fail(text, "the file ends before the word endsolid; it is truncated");
   return mesh;
 }

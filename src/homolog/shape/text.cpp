@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
@@ -16,6 +17,12 @@ std::string shown(std::string_view word, std::size_t longest) {
   std::string safe;
   for (const char c : word.substr(0, longest)) safe += c >= ' ' && c <= '~' ? c : '?';
   return safe;
+}
+
+std::string lower(std::string_view text) {
+  std::string result(text);
+  std::transform(result.begin(), result.end(), result.begin(), [](unsigned char c) { return std::tolower(c); });
+  return result;
 }
 
 void fail(const Text& text, const std::string& what) { throw FileError(fmt::format("{}, line {}: {}", text.file, text.line, what)); }

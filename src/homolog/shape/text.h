@@ -35,6 +35,9 @@ std::string_view take_word(std::string_view& line);
 /// What is left of a line, without the blanks around it.
 std::string rest_of(std::string_view line);
 
+/// ASCII letters made small.
+std::string lower(std::string_view text);
+
 /// Takes a finite number off a line. Throws FileError, naming `what`, when there is none.
 double take_number(Text& text, std::string_view& line, const char* what);
 
