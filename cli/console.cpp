@@ -20,18 +20,25 @@ void print_result(std::string_view text) {
   }
 }
 
-void print_message(std::string_view sentence) { fmt::print(stderr, "homolog: {}\n", sentence); }
+namespace {
+
+// Whoever cannot hear what is said beside the result still gets that.
+void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
+}  // namespace
+
+void print_message(std::string_view sentence) { say(fmt::format("homolog: {}\n", sentence)); }
 
 Console::Console(bool quiet, bool timing) : quiet_(quiet), timing_(timing), progress_(!quiet && isatty(STDERR_FILENO)) {}
 
 Console::~Console() {
   clear();
-  if (timing_) fmt::print(stderr, "{}", timing_table(watch_.stages()));
+  if (timing_) say(timing_table(watch_.stages()));
 }
 
 void Console::stage(std::string_view text) {
   if (!progress_) return;
-  fmt::print(stderr, "\r\033[K{} ...", text);
+  say(fmt::format("\r\033[K{} ...", text));
   std::fflush(stderr);
   shown_ = true;
 }
@@ -43,7 +50,7 @@ void Console::warn(std::string_view sentence) {
 }
 
 void Console::clear() {
-  if (shown_) fmt::print(stderr, "\r\033[K");
+  if (shown_) say("\r\033[K");
   shown_ = false;
 }
 

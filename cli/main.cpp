@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <exception>
 #include <new>
 
 #include "console.h"
@@ -99,12 +102,27 @@ int report(int code, const std::string& sentence) {
   return code;
 }
 
+constexpr const char* kNoMemory = "not enough memory for these shapes; a lower --resolution needs less, and --max-memory may allow more";
+
+// Where memory ends while something is destroyed, as JSON is by a list of what is left, nothing can be caught any more.
+[[noreturn]] void end_abruptly() {
+  try {
+    if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
+  } catch (const std::bad_alloc&) {
+    std::fprintf(stderr, "homolog: %s\n", kNoMemory);  // which takes no memory
+    std::_Exit(kUnusableShape);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 }  // namespace homolog::cli
 
 int main(int argc, char** argv) {
   using namespace homolog;
   using namespace homolog::cli;
+  std::set_terminate(end_abruptly);
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {
@@ -116,7 +134,7 @@ int main(int argc, char** argv) {
   } catch (const Error& error) {
     return report(kUnusableShape, error.what());
   } catch (const std::bad_alloc&) {
-    return report(kUnusableShape, "not enough memory for these shapes; a lower --resolution needs less, and --max-memory may allow more");
+    return report(kUnusableShape, kNoMemory);
   } catch (const std::exception& error) {
     return report(kUnusableShape, fmt::format("something failed inside, which is a mistake of the program: {}", error.what()));
   }

@@ -120,6 +120,11 @@ class Limits(Program):
         self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
         self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
 
+    def test_memory_that_ends_while_lists_are_destroyed(self):
+        with open(self.path("lists.gltf"), "w") as file:
+            file.write('{"asset":{"version":"2.0"},"x":[' + "[]," * 2_000_000 + "0]}")
+        self.expect_message(3, "not enough memory", "points", "lists.gltf", "--max-memory", "100")
+
     def test_enough_is_enough(self):
         words = ("--max-bytes", "10000000", "--max-triangles", "100000", "--max-points", "1000", "--max-memory", "2000")
         self.assertEqual(self.run_it("points", "bear.off", *COARSE, *words).stdout, self.run_it("points", "bear.off", *COARSE).stdout)

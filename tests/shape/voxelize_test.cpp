@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/voxelize.h"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <limits>
 
@@ -194,6 +194,30 @@ TEST(Voxelize, ShapesWithoutInsideAreErrors) {
   EXPECT_THROW(voxelize(meshes::sphere(1), 0), ParamError);
   EXPECT_THROW(voxelize(meshes::sphere(1), 32, Box{{0, 0, 0}, {1, 0, 1}}), ParamError);
   EXPECT_THROW(voxelize(meshes::sphere(1), 32, Box{{0, 0, 0}, {1, 1, 1.5}}), ParamError);
+}
+
+/// Triangles between random places of a box.
+Mesh random_triangles(std::uint32_t count) {
+  Mesh mesh;
+  std::uint64_t state = 1;
+  const auto next = [&] { return static_cast<double>((state = state * 6364136223846793005u + 1442695040888963407u) >> 33) / 2147483648.0; };
+  for (std::uint32_t i = 0; i < 3 * count; ++i) mesh.vertices.emplace_back(next(), next(), next());
+  for (std::uint32_t i = 0; i < count; ++i) mesh.triangles.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+  return mesh;
+}
+
+TEST(Voxelize, RefusesWhatWouldTakeForEver) {
+  const auto message = [](std::uint32_t triangles, int resolution) {
+    try {
+      voxelize(random_triangles(triangles), resolution);
+    } catch (const ShapeError& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_THAT(message(100000, 64), testing::HasSubstr("deep through its box in the mean"));
+  EXPECT_THAT(message(2000, 96), testing::HasSubstr("so loosely through each other"));
+  EXPECT_EQ(message(200, 32).find("take"), std::string::npos) << "few are asked";
 }
 
 TEST(Voxelize, DoesNotDependOnThreads) {

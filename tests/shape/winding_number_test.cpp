@@ -33,6 +33,14 @@ TEST(WindingNumber, IsTheSolidAngleOfAnOpenSurface) {
   EXPECT_NEAR(winding.at({0, 0, 100}), 0, 1e-4);
 }
 
+TEST(WindingNumber, LooksAtFewGroupsFromFarAway) {
+  const Mesh ball = meshes::sphere(4);
+  const WindingNumber winding(ball.vertices, ball.triangles);
+  EXPECT_EQ(winding.looked_at({100, 0, 0}), 1u);
+  EXPECT_GT(winding.looked_at({1, 0, 0}), 20u);
+  EXPECT_LT(winding.looked_at({1, 0, 0}), ball.triangles.size());
+}
+
 TEST(WindingNumber, OfNothingIsNothing) { EXPECT_EQ(WindingNumber({}, {}).at({1, 2, 3}), 0); }
 
 }  // namespace

@@ -18,6 +18,9 @@
 namespace homolog {
 namespace {
 
+constexpr double most_crossings = 2e7;  // of a ray for every column of voxels and the surface: some seconds
+constexpr double least_sheets = 64;     // are allowed on the finest grid
+
 void check_mesh(const Mesh& mesh) {
   for (const auto& triangle : mesh.triangles) {
     for (const std::uint32_t corner : triangle) {
@@ -87,6 +90,29 @@ GridSurface to_grid(const Mesh& mesh, OrientedSurface&& surface, const GridFrame
   return grid;
 }
 
+/// Sheets that lie behind each other, in the mean over the face of the box that sees most of them.
+double mean_sheets(const GridSurface& grid) {
+  const Vec3 size(grid.size[0], grid.size[1], grid.size[2]), faces = size.prod() * size.cwiseInverse();
+  Vec3 area = Vec3::Zero();
+  for (const auto& [i, j, k] : grid.triangles) {
+    const Vec3 &a = grid.vertices[i], &b = grid.vertices[j], &c = grid.vertices[k];
+    if ((a.cwiseMax(b).cwiseMax(c).array() < 0).any() || (a.cwiseMin(b).cwiseMin(c) - size).maxCoeff() > 0) continue;  // beside a part
+    area += (0.5 * (b - a).cross(c - a).cwiseAbs()).cwiseMin(faces);
+  }
+  return area.cwiseQuotient(faces).maxCoeff();
+}
+
+/// Random triangles through the whole box would be asked for hours.
+void check_sheets(const GridSurface& grid) {
+  const double columns = std::pow(*std::max_element(grid.size.begin(), grid.size.end()), 2);
+  const double sheets = mean_sheets(grid), most = std::max(least_sheets, most_crossings / columns);
+  if (sheets <= most) return;
+  throw ShapeError(
+      fmt::format("its triangles lie {:.0f} deep through its box in the mean, too many for an inside at this resolution (at most "
+                  "{:.0f}); remesh it, or leave out what is doubled",
+                  sheets, most));
+}
+
 }  // namespace
 
 Box thickened_box(const Mesh& mesh, double thicken) {
@@ -106,6 +132,7 @@ Voxels voxelize(const Mesh& mesh, int resolution, const std::optional<Box>& part
   const Box bounds = part ? grown(clipped_bounding_box(mesh.vertices, surface.triangles, limits), thickness / 2, limits) : whole;
   const GridFrame frame = make_frame(bounds, resolution);
   const GridSurface grid = to_grid(mesh, std::move(surface), frame, limits);
+  check_sheets(grid);
   Inside inside = voxels.open == 0 ? inside_of_closed(grid) : inside_of_open(grid);
   if (thickness > 0) thicken_surface(grid, thickness / frame.spacing, inside.coverage);
   voxels.interior = {frame, std::move(inside.coverage)};

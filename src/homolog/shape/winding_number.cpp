@@ -96,6 +96,14 @@ double WindingNumber::solid_angle(std::uint32_t number, const Vec3& x) const {
   return sum;
 }
 
+std::size_t WindingNumber::looked_at(std::uint32_t number, const Vec3& x) const {
+  const Node& node = nodes_[number];
+  if ((node.centre - x).norm() > far * node.reach) return 1;
+  return 1 + (node.count > 0 ? node.count : looked_at(number + 1, x) + looked_at(node.first, x));
+}
+
+std::size_t WindingNumber::looked_at(const Vec3& x) const { return nodes_.empty() ? 0 : looked_at(0, x); }
+
 double WindingNumber::at(const Vec3& x) const { return nodes_.empty() ? 0 : solid_angle(0, x) / (4 * std::numbers::pi); }
 
 }  // namespace homolog

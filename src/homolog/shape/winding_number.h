@@ -18,6 +18,9 @@ class WindingNumber {
   /// The winding number around x. Inside a closed surface 1, outside 0, to within 0.05.
   double at(const Vec3& x) const;
 
+  /// How many groups and triangles at() looks at.
+  std::size_t looked_at(const Vec3& x) const;
+
  private:
   struct Node {
     Vec3 centre, area;           ///< mean place, weighted by area, and sum of the area vectors
@@ -27,6 +30,7 @@ class WindingNumber {
 
   std::uint32_t build(std::uint32_t first, std::uint32_t end);
   double solid_angle(std::uint32_t number, const Vec3& x) const;
+  std::size_t looked_at(std::uint32_t number, const Vec3& x) const;
 
   std::vector<std::array<Vec3, 3>> corners_;  ///< of the triangles, leaf by leaf
   std::vector<Node> nodes_;
