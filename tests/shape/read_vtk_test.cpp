@@ -32,6 +32,17 @@ TEST_F(ReadVtk, IsKnownByItsBeginning) {
   EXPECT_FALSE(is_vtk("OFF\n"));
 }
 
+TEST_F(ReadVtk, KnowsMeshesThatStateRasInTheTitleOrAField) {
+  EXPECT_FALSE(read("a.vtk", vtk::legacy(false)).ras);
+  for (const bool binary : {false, true}) {
+    const std::string text = vtk::legacy(binary), old = std::string("name 1 1 string\n") + (binary ? "\xc4" : "") + "a%20",
+                      field = std::string("SPACE 1 1 string\n") + (binary ? "\xc3" : "");
+    EXPECT_TRUE(read("a.vtk", with(text, "a pyramid", "3D Slicer output. SPACE=RAS")).ras);
+    EXPECT_TRUE(read("a.vtk", with(text, old, field + "RAS")).ras);
+    EXPECT_FALSE(read("a.vtk", with(text, old, field + "LPS")).ras);
+  }
+}
+
 TEST_F(ReadVtk, RefusesOtherDataAndSolidCells) {
   expect_error("a.vtk", with(vtk::legacy(false), "POLYDATA", "STRUCTURED_POINTS"), "STRUCTURED_POINTS are not read");
   expect_error("a.vtk", vtk::legacy_grid("10 5 5 6 1"), "type 10");

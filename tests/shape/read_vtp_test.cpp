@@ -9,12 +9,7 @@ namespace {
 
 using ReadVtp = FileTest;
 
-std::string with(std::string text, const std::string& old, const std::string& other) {
-  return text.replace(text.find(old), old.size(), other);
-}
-
-TEST_F(ReadVtp, ReadsArraysHoweverTheyLie) {
-  const Mesh expected = read("a.vtk", vtk::legacy(false));
+std::vector<vtk::XmlForm> forms() {
   std::vector<vtk::XmlForm> forms{{.ascii = true}};
   for (const bool appended : {false, true}) {
     for (const bool compressed : {false, true}) {
@@ -24,11 +19,29 @@ TEST_F(ReadVtp, ReadsArraysHoweverTheyLie) {
       }
     }
   }
-  for (const vtk::XmlForm& form : forms) {
+  return forms;
+}
+
+std::string with(std::string text, const std::string& old, const std::string& other) {
+  return text.replace(text.find(old), old.size(), other);
+}
+
+TEST_F(ReadVtp, ReadsArraysHoweverTheyLie) {
+  const Mesh expected = read("a.vtk", vtk::legacy(false));
+  for (const vtk::XmlForm& form : forms()) {
     const Mesh mesh = read("a.vtp", vtk::vtp(form));
     EXPECT_EQ(mesh.vertices, expected.vertices);
     EXPECT_EQ(mesh.triangles, expected.triangles);
   }
+}
+
+TEST_F(ReadVtp, KnowsMeshesThatStateRas) {
+  for (const vtk::XmlForm& form : forms()) {
+    EXPECT_TRUE(read("a.vtp", vtk::vtp(form, "RAS")).ras);
+    EXPECT_FALSE(read("a.vtp", vtk::vtp(form, "LPS")).ras);
+    EXPECT_FALSE(read("a.vtp", vtk::vtp(form)).ras);
+  }
+  expect_error("a.vtp", with(vtk::vtp({.ascii = true}, "RAS"), "82 65", "82 R"), "not a whole number");
 }
 
 TEST_F(ReadVtp, ReadsTheFlatCellsOfGrids) {

@@ -92,13 +92,14 @@ inline std::string stored(const std::string& bytes, const XmlForm& form) {
   return form.encoded ? base64(head) + base64(body) : head + body;
 }
 
-/// Polygonal data as XML.
-inline std::string vtp(const XmlForm& form) {
+/// Polygonal data as XML. `space`: as 3D Slicer states it.
+inline std::string vtp(const XmlForm& form, std::string space = "") {
   std::string appended;
   const auto array = [&](const std::string& type, const std::string& name, const std::string& bytes, const std::string& text) {
-    const std::string begin = "<DataArray type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"3\" format=\"";
-    if (form.ascii) return begin + "ascii\">\n" + text + "\n</DataArray>\n";
-    if (!form.appended) return begin + "binary\">\n  " + stored(bytes, form) + "\n</DataArray>\n";
+    const std::string tag = type == "String" ? "Array" : "DataArray",
+                      begin = "<" + tag + " type=\"" + type + "\" Name=\"" + name + "\" NumberOfComponents=\"3\" format=\"";
+    if (form.ascii) return begin + "ascii\">\n" + text + "\n</" + tag + ">\n";
+    if (!form.appended) return begin + "binary\">\n  " + stored(bytes, form) + "\n</" + tag + ">\n";
     const std::size_t offset = appended.size();
     appended += stored(bytes, form);
     return begin + fmt::format("appended\" offset=\"{}\"/>\n", offset);
@@ -106,12 +107,17 @@ inline std::string vtp(const XmlForm& form) {
   const auto numbers = [&](const char* name, const std::vector<std::int64_t>& values) {
     return array("Int64", name, bytes_of_numbers<std::int64_t>(values, form.order), words(values));
   };
+  std::string field;
+  if (!space.empty()) {
+    space += '\0';
+    field = "<FieldData>\n" + array("String", "SPACE", space, words(std::vector<int>(space.begin(), space.end()))) + "</FieldData>\n";
+  }
   std::string text =
       std::string("<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"1.0\" header_type=\"UInt64\" byte_order=\"") +
       (form.order == std::endian::big ? "BigEndian\"" : "LittleEndian\"") +
-      (form.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "") +
-      ">\n<PolyData>\n<Piece NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"3\">\n<PointData/>\n" +
-      "<Points>\n" + array("Float32", "Points", bytes_of_numbers<float>(points, form.order), words(points)) + "</Points>\n";
+      (form.compressed ? " compressor=\"vtkZLibDataCompressor\"" : "") + ">\n<PolyData>\n" + field +
+      "<Piece NumberOfPoints=\"5\" NumberOfVerts=\"0\" NumberOfStrips=\"1\" NumberOfPolys=\"3\">\n<PointData/>\n" + "<Points>\n" +
+      array("Float32", "Points", bytes_of_numbers<float>(points, form.order), words(points)) + "</Points>\n";
   text += "<Strips>\n" + numbers("connectivity", strip) + numbers("offsets", strip_end) + "</Strips>\n";
   text += "<Polys>\n" + numbers("connectivity", polygons) + numbers("offsets", polygon_ends) + "</Polys>\n</Piece>\n</PolyData>\n";
   if (!form.appended) return text + "</VTKFile>\n";

@@ -103,7 +103,7 @@ bool is_misnamed(std::string_view start) {
   return start.starts_with("ply") || is_vtk(start) || is_vtp(start) || is_stl(start) || is_obj(start) || is_gltf(start) || is_off(start);
 }
 
-/// What 3D Slicer writes into the comments at the head of PLY, OBJ, STL and VTK files.
+/// What 3D Slicer writes into the comments at the head of PLY, OBJ, STL and legacy VTK files.
 bool states_ras(std::string_view content) { return content.substr(0, 1024).find("SPACE=RAS") != content.npos; }
 
 }  // namespace
@@ -136,7 +136,7 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
   Mesh mesh = volume     ? label_surface(*volume, label, path.string())
               : is_scene ? read_scene(path)
                          : read_content(path, without_byte_order_mark(content), limits);
-  mesh.ras = !volume && states_ras(content);
+  if (!volume && states_ras(content)) mesh.ras = true;
   check_mesh(mesh, path.string(), limits.triangles);
   return mesh;
 }

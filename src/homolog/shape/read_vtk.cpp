@@ -24,6 +24,7 @@ struct Source {
 struct Contents {
   std::vector<double> points;
   std::vector<VtkCells> cells;
+  bool ras = false;
 };
 
 /// The next word, in this line or a later one; empty at the end of the file.
@@ -122,20 +123,23 @@ void skip_metadata(Source& source) {
 }
 
 /// A text, as a line or behind its length, whose first two bits tell how many bytes it takes.
-void skip_text(Source& source) {
+std::string_view take_text(Source& source) {
   std::string_view& rest = source.text.rest;
-  if (!source.binary && next_line(source.text, source.line)) return source.line.remove_prefix(source.line.size());
+  if (!source.binary && next_line(source.text, source.line)) return std::exchange(source.line, {});
   if (rest.empty()) fail(source.text, "the file ends before all texts; it is truncated");
   const auto first = static_cast<unsigned char>(rest[0]);
   const std::size_t bytes = std::size_t{8} >> (first >> 6);
   std::size_t length = first & 63;
   for (std::size_t i = 1; i < bytes && i < rest.size(); ++i) length = length << 8 | static_cast<unsigned char>(rest[i]);
   if (bytes > rest.size() || length > rest.size() - bytes) fail(source.text, "a text is longer than the file; it is truncated or damaged");
+  const std::string_view text = rest.substr(bytes, length);
   rest.remove_prefix(bytes + length);
+  return text;
 }
 
-/// Values of the whole, such as a time.
-void skip_field(Source& source) {
+/// Values of the whole, such as a time; whether one is SPACE and says RAS, as when a .vtp of 3D Slicer was saved as this.
+bool take_field(Source& source) {
+  bool ras = false;
   take_word(source.line);  // its name
   const long long arrays = take_count(source, "the number of arrays");
   for (long long i = 0; i < arrays; ++i) {
@@ -151,11 +155,12 @@ void skip_field(Source& source) {
     }
     if (rest_of(source.line) == "string") {
       source.line = {};
-      for (long long k = 0; k < columns * rows; ++k) skip_text(source);
+      for (long long k = 0; k < columns * rows; ++k) ras |= take_text(source) == "RAS" && name == "SPACE";
     } else {
       take_numbers(source, columns * rows, take_type(source));
     }
   }
+  return ras;
 }
 
 Contents take_contents(Source& source) {
@@ -178,7 +183,7 @@ Contents take_contents(Source& source) {
     } else if (word == "VERTICES" || word == "LINES") {
       take_cells(source);
     } else if (word == "FIELD") {
-      skip_field(source);
+      contents.ras |= take_field(source);
     } else if (word == "METADATA") {
       skip_metadata(source);
     } else {
@@ -211,6 +216,7 @@ Mesh read_vtk(std::string_view content, const std::string& file) {
   }
   const Contents contents = take_contents(source);
   Mesh mesh;
+  mesh.ras = contents.ras;
   append_vtk(mesh, contents.points, contents.cells, file);
   return mesh;
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <utility>
 
 #include "homolog/base/errors.h"
@@ -26,6 +27,7 @@ struct Piece {
 
 struct VtpFile {
   VtkStorage storage;
+  std::optional<VtkArray> space;  ///< where 3D Slicer writes RAS or LPS
   std::vector<Piece> pieces;
 };
 
@@ -82,6 +84,9 @@ class Reader {
       for (const auto& [kind, key] : counts) vtp.pieces.back().cells.emplace(kind, number_of(element, key, file));
     }
     if (element.name == "DataArray" && !vtp.pieces.empty() && !parents_.empty()) add_array(element);
+    if (element.name == "Array" && element.attribute("Name") == "SPACE" && parents_.back() == "FieldData") {
+      open(element, vtp.space.emplace(VtkArray{NumberType::int8, {}}));
+    }
     parents_.emplace_back(element.name);
     if (element.name != "AppendedData") return true;
     const std::size_t mark = content_.find('_', element.inside);
@@ -102,13 +107,18 @@ class Reader {
   void add_array(const XmlElement& element) {
     const std::string& file = vtp.storage.file;
     const std::string& parent = parents_.back();
-    const std::string_view format = element.attribute("format");
     if (parent != "Points" && parent != "Polys" && parent != "Strips" && parent != "Cells") return;
-    VtkArray array{type_of(element, "type", NumberType::none, file), {}, format == "binary"};
+    const VtkArray array{type_of(element, "type", NumberType::none, file), {}};
     if (array.type == NumberType::none) throw FileError(fmt::format("{}: an array has no type; the file is damaged", file));
-    if (format == "appended") array.appended_at = number_of(element, "offset", file);
     const std::string key = parent == "Points" ? parent : fmt::format("{} {}", parent, element.attribute("Name"));
-    open_ = &vtp.pieces.back().arrays.insert_or_assign(key, array).first->second;
+    open(element, vtp.pieces.back().arrays.insert_or_assign(key, array).first->second);
+  }
+
+  void open(const XmlElement& element, VtkArray& array) {
+    const std::string_view format = element.attribute("format");
+    array.binary = format == "binary";
+    if (format == "appended") array.appended_at = number_of(element, "offset", vtp.storage.file);
+    open_ = &array;
     begin_ = element.inside;
   }
 
@@ -152,6 +162,7 @@ Mesh read_vtp(std::string_view content, const std::string& file, std::size_t mos
   read_xml(content, file,
            {[&](const XmlElement& element) { return reader.begin(element); }, [&](std::string_view, std::size_t at) { reader.end(at); }});
   Mesh mesh;
+  mesh.ras = reader.vtp.space && first_text_of(*reader.vtp.space, reader.vtp.storage) == "RAS";
   for (const Piece& piece : reader.vtp.pieces) {
     if (piece.points > 3 * most_triangles - std::min(3 * most_triangles, mesh.vertices.size())) {
       throw FileError(fmt::format("{}: it holds more than the {} points that are read; simplify the mesh", file, 3 * most_triangles));

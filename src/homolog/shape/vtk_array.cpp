@@ -56,6 +56,12 @@ class Bytes {
   std::string decoded_;
 };
 
+void refuse_unknown_compressor(const VtkStorage& storage) {
+  if (storage.compressor.empty() || storage.compressor == "vtkZLibDataCompressor") return;
+  throw FileError(fmt::format("{}: it is compressed by {}, which is not read; save it with zlib or uncompressed", storage.file,
+                              shown(storage.compressor)));
+}
+
 /// The number of pieces, the length of all, the length of the last (0: it is a whole one), the compressed lengths, then the pieces.
 std::string take_compressed(Bytes& bytes, std::size_t wanted, const VtkStorage& storage) {
   const std::size_t pieces = bytes.take_size(), whole = bytes.take_size(), last = bytes.take_size();
@@ -89,14 +95,27 @@ std::vector<double> read_text(std::string_view text, std::size_t count, const Vt
 
 }  // namespace
 
+std::string first_text_of(const VtkArray& array, const VtkStorage& storage) {
+  constexpr std::size_t longest = 1024;
+  std::string text;
+  if (array.binary || array.appended_at) {
+    refuse_unknown_compressor(storage);
+    Bytes bytes(array, storage);
+    text = storage.compressor.empty() ? bytes.take(bytes.take_size()) : take_compressed(bytes, longest, storage);
+  } else {  // its characters as numbers
+    Text place{storage.file, array.text};
+    for (std::string_view line; next_line(place, line);) {
+      while (!rest_of(line).empty()) text += static_cast<char>(take_integer(place, line, "a character of a text"));
+    }
+  }
+  return text.substr(0, text.find('\0'));
+}
+
 std::vector<double> numbers_of(const VtkArray& array, std::size_t count, const VtkStorage& storage) {
   if (!array.binary && !array.appended_at) return read_text(array.text, count, storage);
   const std::size_t size = bytes_of(array.type);
   if (count > (std::size_t{1} << 40)) fail(storage, "an array is longer than the file");
-  if (!storage.compressor.empty() && storage.compressor != "vtkZLibDataCompressor") {
-    throw FileError(fmt::format("{}: it is compressed by {}, which is not read; save it with zlib or uncompressed", storage.file,
-                                shown(storage.compressor)));
-  }
+  refuse_unknown_compressor(storage);
   Bytes bytes(array, storage);
   std::string content;
   if (!storage.compressor.empty()) {

@@ -28,6 +28,9 @@ struct VtkArray {
   std::optional<std::size_t> appended_at = {};  ///< where it begins among the appended bytes
 };
 
+/// The first text of an array of texts. Throws FileError, also for more than a kB.
+std::string first_text_of(const VtkArray& array, const VtkStorage& storage);
+
 /// The `count` numbers that an array must have. Memory is taken as they come, whatever is announced. Throws FileError.
 std::vector<double> numbers_of(const VtkArray& array, std::size_t count, const VtkStorage& storage);
 
