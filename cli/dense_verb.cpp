@@ -63,8 +63,8 @@ int run_dense(const DenseOptions& options) {
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
   const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model.vertices);
-  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data.vertices);
+  const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
+  const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
   const DenseMaps maps = dense_maps(match, model, data);

@@ -70,8 +70,8 @@ int run_morph(const MorphOptions& options) {
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
   const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, "model.part.ply", family.model.vertices);
-  const Mesh data = matched_mesh(options.match, options.data, "data.part.ply", family.data.vertices);
+  const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
+  const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
   console.stage("laying the model onto the data");
   const DenseMaps maps = dense_maps(match, model, data);
   console.stage("writing results");

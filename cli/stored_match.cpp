@@ -8,6 +8,7 @@
 #include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
+#include "homolog/outputs/misplaced.h"
 #include "homolog/shape/read_mesh.h"
 #include "input_limits.h"
 
@@ -34,17 +35,24 @@ const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOption
   return family.matches[static_cast<std::size_t>(options.number - 1)];
 }
 
-Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const char* beside, std::size_t vertices) {
+Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, const MatchMap& match,
+                  Direction direction) {
+  const bool is_model = direction == Direction::data_from_model;
+  const StoredShape& shape = is_model ? family.model : family.data;
   const std::filesystem::path path =
-      given.empty() ? std::filesystem::path(options.file).parent_path() / beside : std::filesystem::path(given);
+      given.empty() ? std::filesystem::path(options.file).parent_path() / (is_model ? "model.part.ply" : "data.part.ply")
+                    : std::filesystem::path(given);
   if (given.empty() && !std::filesystem::exists(path)) {
     throw FileError(fmt::format("{}: this mesh does not stand beside the match; name the meshes that were matched by --model and --data",
                                 path.string()));
   }
   Mesh mesh = read_mesh(path, options.limits);
-  if (vertices == 0 || mesh.vertices.size() == vertices) return mesh;
-  throw FileError(fmt::format("{}: it has {} vertices, but the mesh that was matched had {}; name that one", path.string(),
-                              mesh.vertices.size(), vertices));
+  if (shape.vertices != 0 && mesh.vertices.size() != shape.vertices) {
+    throw FileError(fmt::format("{}: it has {} vertices, but the mesh that was matched had {}; name that one", path.string(),
+                                mesh.vertices.size(), shape.vertices));
+  }
+  if (const auto wrong = misplaced(mesh, path.string(), carried_from(match, direction, shape.file))) throw FileError(wrong->sentence);
+  return mesh;
 }
 
 }  // namespace homolog::cli

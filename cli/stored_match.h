@@ -27,8 +27,9 @@ std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 /// The one that is asked for. Throws UsageError when there are fewer; the family holds at least one.
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
 
-/// One of the meshes that were matched: `given` if that is not empty, else the file called `beside` in the folder of the match. Throws
-/// FileError, also for a mesh that has not as many vertices as the one that was matched (0: not known).
-Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const char* beside, std::size_t vertices);
+/// The mesh that was matched and that `direction` carries from: `given` if that is not empty, else the file in the folder of the match.
+/// Throws FileError, also for a mesh that has not as many vertices as the one that was matched, or lies elsewhere (misplaced.h).
+Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, const MatchMap& match,
+                  Direction direction);
 
 }  // namespace homolog::cli

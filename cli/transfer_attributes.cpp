@@ -3,39 +3,13 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <filesystem>
-
 #include "exit_codes.h"
-#include "homolog/base/errors.h"
-#include "homolog/match/carry_attributes.h"
-#include "homolog/match/fill_places.h"
 #include "homolog/outputs/attribute_files.h"
-#include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_attributes.h"
+#include "homolog/shape/read_mesh.h"
 
 namespace homolog::cli {
 namespace {
-
-/// The painted mesh, its fields of the kind that the user says.
-AttributedMesh read_giver(const AttributeOptions& options, const ReadLimits& limits) {
-  AttributedMesh giver = read_attributes(options.from, limits);
-  for (const std::string& name : options.labels) {
-    const auto field = std::find_if(giver.fields.begin(), giver.fields.end(), [&](const Field& f) { return f.name == name; });
-    if (field == giver.fields.end()) {
-      throw FileError(fmt::format("{}: it has no field '{}'; it has {}", options.from, name, told_attributes(giver)));
-    }
-    field->kind = Field::Kind::label;
-  }
-  return giver;
-}
-
-/// The places of the receiver's vertices on the giver.
-DenseMap places_on(const AttributedMesh& giver, const Mesh& receiver, const MatchMap& match, Direction direction) {
-  const bool forwards = direction == Direction::data_from_model;
-  DenseMaps maps = dense_maps(match, forwards ? giver.mesh : receiver, forwards ? receiver : giver.mesh);
-  return forwards ? std::move(maps.model_from_data) : std::move(maps.data_from_model);
-}
 
 /// How many triangles were textured; nothing if none could be.
 std::string told_triangles(const Texturing& texturing) {
@@ -68,28 +42,24 @@ void check_options(const AttributeOptions& options, const std::string& out) {
   }
 }
 
-int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& family, const MatchMap& match, Console& console) {
+int transfer_attributes(const AttributeTransfer& transfer, const std::string& onto, const StoredMatchOptions& options,
+                        const StoredFamily& family, const MatchMap& match, Console& console) {
   const bool forwards = transfer.direction == Direction::data_from_model;
-  const AttributedMesh giver = read_giver(transfer.options, transfer.match.limits);
-  const Mesh receiver = transfer.options.onto.empty() ? matched_mesh(transfer.match, "", forwards ? "data.part.ply" : "model.part.ply",
-                                                                     forwards ? family.data.vertices : family.model.vertices)
-                                                      : read_mesh(transfer.options.onto, transfer.match.limits);
+  const StoredShape &from = forwards ? family.model : family.data, &to = forwards ? family.data : family.model;
+  const Direction back = forwards ? Direction::model_from_data : Direction::data_from_model;
+  const Mesh receiver = onto.empty() ? matched_mesh(options, "", family, match, back) : read_mesh(onto, options.limits);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
-  DenseMap map = places_on(giver, receiver, match, transfer.direction);
-  if (transfer.options.fill) {
-    fill_places(map.places, receiver, giver.mesh, match, forwards ? Direction::model_from_data : Direction::data_from_model);
-  }
-  const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
-  for (const std::string& loss : attribute_losses(giver, transfer.out, transfer.options.from)) console.warn(loss);
-  write_files(attribute_files(carried, map.places, transfer.out, std::filesystem::path(transfer.options.from).filename().string()));
+  const std::string name = onto.empty() ? to.file : onto;
+  const TransferredAttributes carried = transfer_attributes(transfer, match, {receiver, name}, {from.file, to.file});
+  for (const std::string& loss : carried.losses) console.warn(loss);
   console.clear();
-  const std::string to = transfer.options.onto.empty() ? (forwards ? family.data.file : family.model.file) : transfer.options.onto;
+  const std::size_t count = receiver.vertices.size();
   print_result(fmt::format("{} carried from {} to {} of {} vertices of {}; {} {}: outside the covered part, or torn\n",
-                           told_attributes(carried), transfer.options.from, map.placed, map.places.size(), to,
-                           map.places.size() - map.placed, transfer.options.fill ? "are filled with what is nearest" : "have none") +
-               told_triangles(carried.texturing));
-  if (map.placed > 0) return kFound;
+                           told_attributes(carried.mesh), transfer.from.string(), carried.placed, count, name, count - carried.placed,
+                           transfer.fill ? "are filled with what is nearest" : "have none") +
+               told_triangles(carried.mesh.texturing));
+  if (carried.placed > 0) return kFound;
   print_message("nothing found: no vertex has a place on the other mesh; are the meshes those that were matched?");
   return kNothingFound;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "console.h"
+#include "homolog/outputs/attribute_transfer.h"
 #include "stored_match.h"
 
 namespace homolog::cli {
@@ -24,14 +25,8 @@ void add_attribute_options(CLI::App& verb, AttributeOptions& options);
 /// Throws UsageError for options without --attributes, and for an `out` that cannot be written.
 void check_options(const AttributeOptions& options, const std::string& out);
 
-struct AttributeTransfer {
-  const StoredMatchOptions& match;
-  const AttributeOptions& options;
-  const std::string& out;
-  Direction direction;
-};
-
-/// Carries, writes, tells; returns the exit code.
-int transfer_attributes(const AttributeTransfer& transfer, const StoredFamily& family, const MatchMap& match, Console& console);
+/// Carries, writes, tells; returns the exit code. `onto`: the file of the receiver; empty: the mesh beside the match.
+int transfer_attributes(const AttributeTransfer& transfer, const std::string& onto, const StoredMatchOptions& options,
+                        const StoredFamily& family, const MatchMap& match, Console& console);
 
 }  // namespace homolog::cli

@@ -8,9 +8,11 @@
 
 #include "console.h"
 #include "exit_codes.h"
+#include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/carried.h"
 #include "homolog/outputs/landmark_editor.h"
+#include "homolog/outputs/misplaced.h"
 #include "homolog/outputs/morphologika.h"
 #include "homolog/outputs/read_points.h"
 #include "homolog/outputs/tps.h"
@@ -59,7 +61,10 @@ triangle's corners, a label is the nearest one's, and a triangle lies on the UV 
 has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried', in a .glb it has
 none. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the surface about them, and keep
 their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has, and keys fade there.
-Joints turn in their parents as the giver's do over time, so animations show the giver's poses.)";
+Joints turn in their parents as the giver's do over time, so animations show the giver's poses.
+
+Meshes must lie where the shapes lay when they were matched, with the same axes and unit: others are refused. Parts of the shape, more than
+was matched of it, and other tessellations are welcome; --mesh carries what lies inside, too.)";
 
 /// Throws UsageError for a file that cannot be written, and when it is not said what to carry.
 void check_options(const TransferOptions& options) {
@@ -104,18 +109,40 @@ struct Carried {
   std::size_t there = 0, all = 0, missing = 0;
 };
 
-Carried carry_mesh(const MatchMap& match, const std::string& file, const ReadLimits& limits, Direction direction) {
-  const Mesh mesh = read_mesh(file, limits);
+/// A mesh need not be the one that was matched: one of what lies inside or beside it is carried, too, but not one that is known to be
+/// turned.
+Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const MatchedShape& shape, Direction direction,
+                   Console& console) {
+  const Mesh mesh = read_mesh(options.mesh, options.match.limits);
+  if (const auto wrong = misplaced(mesh, options.mesh, shape)) {
+    if (wrong->explained) throw FileError(wrong->sentence);
+    console.warn(wrong->sentence);
+  }
   Carried result;
   const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
   for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
   return {carried_ply(mesh, vertices), result.there, vertices.size()};
 }
 
-Carried carry_file(const MatchMap& match, const TransferOptions& options, const StoredShape& from, const StoredShape& to) {
-  const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
-  if (!options.mesh.empty()) return carry_mesh(match, options.mesh, options.match.limits, direction);
-  const auto landmarks = carry_landmarks(match, read_points(options.points, options.specimen, from.ras), direction);
+void warn_of_far_points(const std::vector<MarkupPoint>& points, const std::string& file, const MatchedShape& shape, Console& console) {
+  std::vector<Vec3> places;
+  for (const MarkupPoint& point : points) {
+    if (point.position) places.push_back(*point.position);
+  }
+  const std::size_t far = count_far(places, shape);
+  if (2 * far <= places.size()) return;
+  console.warn(
+      fmt::format("{} of {} points of {} are farther from {} than a fifth of its diagonal; are they in its coordinates and its unit?", far,
+                  places.size(), file, shape.name));
+}
+
+Carried carry_file(const MatchMap& match, const TransferOptions& options, const StoredShape& from, const StoredShape& to,
+                   Direction direction, Console& console) {
+  const MatchedShape shape = carried_from(match, direction, from.file);
+  if (!options.mesh.empty()) return carry_mesh(match, options, shape, direction, console);
+  const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
+  warn_of_far_points(points, options.points, shape, console);
+  const auto landmarks = carry_landmarks(match, points, direction);
   Carried result{points_text(landmarks, lower_extension(options.out), to), 0, landmarks.size()};
   for (const CarriedLandmark& landmark : landmarks) {
     result.there += landmark.point && landmark.point->is_there();
@@ -133,14 +160,15 @@ int run_transfer(const TransferOptions& options) {
   const StoredFamily& family = *found;
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
   const MatchMap& match = chosen_match(family, options.match);
-  if (!options.attributes.from.empty()) {
-    const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
-    return transfer_attributes({options.match, options.attributes, options.out, direction}, family, match, console);
+  const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
+  if (const AttributeOptions& given = options.attributes; !given.from.empty()) {
+    return transfer_attributes({given.from, options.out, direction, given.labels, given.fill, options.match.limits}, given.onto,
+                               options.match, family, match, console);
   }
   const StoredShape& from = options.inverse ? family.data : family.model;
   const StoredShape& to = options.inverse ? family.model : family.data;
   console.stage("carrying");
-  const Carried carried = carry_file(match, options, from, to);
+  const Carried carried = carry_file(match, options, from, to, direction, console);
   write_file(options.out, carried.text);
   console.clear();
   print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}\n", carried.there, carried.all,

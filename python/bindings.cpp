@@ -121,6 +121,7 @@ Found found(const Described& model, const Described& data, const Params& params,
   const ThreadLimit limit(params.threads);
   result.parts = covered_parts(model.meshed(), data.meshed(), result.family.matches);
   result.maps = match_maps(result.family.matches, model.shape, data.shape, result.parts);
+  for (MatchMap& map : result.maps) map.thickness = params.voxel.thicken;
   return result;
 }
 

@@ -7,17 +7,16 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/vector.h>
 
-#include <algorithm>
+#include <array>
 #include <limits>
 
 #include "arrays.h"
 #include "homolog/base/errors.h"
 #include "homolog/match/carry_attributes.h"
-#include "homolog/match/fill_places.h"
 #include "homolog/outputs/attribute_files.h"
+#include "homolog/outputs/attribute_transfer.h"
 #include "homolog/outputs/morph.h"
 #include "homolog/outputs/write_file.h"
-#include "homolog/shape/read_attributes.h"
 #include "interruptible.h"
 
 namespace nb = nanobind;
@@ -82,36 +81,21 @@ void write_morph(const std::filesystem::path& path, const Places& start, const P
   write_file(path, morph_glb({mesh_of(start, faces), vectors_of(end)}, colours));
 }
 
-void take_as_labels(AttributedMesh& giver, const std::vector<std::string>& labels) {
-  for (const std::string& name : labels) {
-    const auto field = std::find_if(giver.fields.begin(), giver.fields.end(), [&](const Field& f) { return f.name == name; });
-    if (field == giver.fields.end()) throw ParamError("there is no field '" + name + "'; there are " + told_attributes(giver));
-    field->kind = Field::Kind::label;
-  }
-}
-
-/// What `from` says of its mesh, carried to another one and written; returns what could not be, in sentences, and how many vertices have a
-/// place.
+/// What `from` says of its mesh, carried to another one and written; returns how many vertices have a place, and what could not be
+/// written, in sentences. `names`: of the shapes that were matched, and of the receiver.
 nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, const std::filesystem::path& out, const Places& vertices,
-                   const Triangles& faces, bool to_data, const std::vector<std::string>& labels, bool fill) {
-  std::vector<std::string> losses;
-  std::size_t placed = 0;
+                   const Triangles& faces, bool to_data, const std::vector<std::string>& labels, bool fill,
+                   const std::array<std::string, 3>& names) {
+  TransferredAttributes carried;
   {
     Interruptible working;
     if (!writes_attributes(out))
       throw ParamError(std::string("attributes are written as ") + writable_attributes + ", not as '" + out.string() + "'");
-    AttributedMesh giver = read_attributes(from);
-    take_as_labels(giver, labels);
+    const Direction direction = to_data ? Direction::data_from_model : Direction::model_from_data;
     const Mesh receiver = mesh_of(vertices, faces);
-    const DenseMaps maps = dense_maps(match, to_data ? giver.mesh : receiver, to_data ? receiver : giver.mesh);
-    DenseMap map = to_data ? maps.model_from_data : maps.data_from_model;
-    if (fill) fill_places(map.places, receiver, giver.mesh, match, to_data ? Direction::model_from_data : Direction::data_from_model);
-    const AttributedMesh carried = carry_attributes(giver, receiver, map.places, chirality_of(match));
-    write_files(attribute_files(carried, map.places, out, from.filename().string()));
-    losses = attribute_losses(giver, out, from.string());
-    placed = map.placed;
+    carried = transfer_attributes({from, out, direction, labels, fill}, match, {receiver, names[2]}, {names[0], names[1]});
   }
-  return nb::make_tuple(placed, losses);
+  return nb::make_tuple(carried.placed, carried.losses);
 }
 
 }  // namespace
@@ -119,7 +103,7 @@ nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, con
 void bind_dense(nb::module_& module, nb::class_<MatchMap>& map) {
   map.def("dense", &dense, nb::arg("model_vertices"), nb::arg("model_faces"), nb::arg("data_vertices"), nb::arg("data_faces"));
   map.def("transfer", &transfer, nb::arg("source"), nb::arg("out"), nb::arg("vertices"), nb::arg("faces"), nb::arg("to_data"),
-          nb::arg("labels"), nb::arg("fill"));
+          nb::arg("labels"), nb::arg("fill"), nb::arg("names"));
   module.def("between", &between, nb::arg("triangle"), nb::arg("barycentric"), nb::arg("faces"), nb::arg("values"), nb::arg("labels"));
   module.def("write_morph", &write_morph, nb::arg("path"), nb::arg("start"), nb::arg("end"), nb::arg("faces"), nb::arg("colours"));
 }

@@ -103,7 +103,7 @@ nb::dict carry(const MatchMap& map, const Places& points, bool to_data) {
 using SplineState = std::tuple<bool, Places, Places, Affine>;
 using SamplesState = std::pair<Places, Weights>;
 using KnownState = std::pair<Places, std::vector<double>>;
-using MapState = std::tuple<SplineState, KnownState, double, Mat4, double, double, SamplesState, SamplesState>;
+using MapState = std::tuple<SplineState, KnownState, double, Mat4, double, double, double, SamplesState, SamplesState>;
 
 SplineState state_of(const ThinPlateSpline& spline) {
   return {spline.kernel == Kernel::r3, places_of(spline.centres), places_of(spline.weights), spline.affine};
@@ -115,8 +115,9 @@ KnownState state_of(const std::vector<KnownPlace>& known) {
   return {places_of(known, [](const KnownPlace& place) { return place.position; }), confidences};
 }
 MapState state_of(const MatchMap& map) {
-  return {state_of(map.data_from_model), state_of(map.known), map.scale, map.similarity, map.model_diagonal, map.data_diagonal,
-          state_of(map.model),           state_of(map.data)};
+  return {
+      state_of(map.data_from_model), state_of(map.known), map.scale, map.similarity, map.model_diagonal, map.data_diagonal, map.thickness,
+      state_of(map.model),           state_of(map.data)};
 }
 
 ThinPlateSpline spline_of(const SplineState& state) {
@@ -136,8 +137,9 @@ std::vector<KnownPlace> known_of(const KnownState& state) {
   return known;
 }
 MatchMap map_of(const MapState& state) {
-  const auto& [spline, known, scale, similarity, model_diagonal, data_diagonal, model, data] = state;
-  return {spline_of(spline), known_of(known), scale, similarity, model_diagonal, data_diagonal, samples_of(model), samples_of(data)};
+  const auto& [spline, known, scale, similarity, model_diagonal, data_diagonal, thickness, model, data] = state;
+  return {spline_of(spline), known_of(known),   scale,           similarity, model_diagonal, data_diagonal,
+          thickness,         samples_of(model), samples_of(data)};
 }
 
 }  // namespace

@@ -98,6 +98,13 @@ def test_a_rigged_file_is_carried(family, tmp_path):
     assert np.linalg.norm(head[:3, 3] - moved(np.array([[0, 0.9, 0]]))) < WITHIN * diagonal(family.data.vertices)
 
 
+def test_what_lies_elsewhere_raises(family, tmp_path):
+    vertices, faces = bear_arrays()
+    (tmp_path / "mm.glb").write_bytes(mesh_files.rigged_glb((1000 * vertices).tolist(), faces.tolist(), neck=0.9))
+    with pytest.raises(OSError, match="would if scaled by 0.001; save it with the axes and in the unit"):
+        family.transfer(tmp_path / "mm.glb", tmp_path / "a.glb")
+
+
 def test_what_cannot_be_carried_raises(family, tmp_path):
     (tmp_path / "bad.glb").write_bytes(b"glTF")
     with pytest.raises(OSError, match="bad.glb"):

@@ -226,6 +226,25 @@ class Transfer(Program):
         self.expect_message(3, "bad.glb: ", "transfer", match, "--attributes", "bad.glb", "--out", "a.ply")
         self.assertFalse(os.path.exists(self.path("a.ply")))
 
+    def test_meshes_that_lie_elsewhere_are_refused(self):
+        self.painted()
+        head, rest = self.read("painted.ply").split("end_header\n")
+        rows, count = rest.splitlines(), int(self.read("bear.off").split()[1])
+        with open(self.path("z_up.ply"), "w") as file:  # as Blender saves what it shows
+            turned = [f"{x} {-float(z)} {y} {others}" for x, y, z, others in (row.split(None, 3) for row in rows[:count])]
+            file.write(head + "end_header\n" + "\n".join(turned + rows[count:]) + "\n")
+        match, why = "out/match.json", "z_up.ply: it does not lie where bear.off lay when that was matched, but would if turned from Z up to Y up"
+        self.expect_message(3, why, "transfer", match, "--attributes", "z_up.ply", "--out", "a.ply")
+        self.expect_message(3, why, "transfer", match, "--mesh", "z_up.ply", "--out", "a.ply")
+        self.expect_message(3, why, "dense", match, "--model", "z_up.ply", "--out", "dense")
+        self.expect_message(3, "where bear_bis.off lay", "transfer", match, "--attributes", "painted.ply", "--onto", "bear.off", "--out", "a.ply")
+        self.expect_message(3, "where bear_bis.off lay", "transfer", match, "--attributes", "painted.ply", "--inverse", "--out", "a.ply")
+        with open(self.path("heart.off"), "w") as file:  # what lies within is carried by its points
+            file.write("OFF\n4 4 0\n0 1 0\n.1 1 0\n0 1.1 0\n0 1 .1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n")
+        done = self.run_it("transfer", match, "--mesh", "heart.off", "--out", "a.ply")
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("warning: heart.off: it does not lie where bear.off lay when that was matched; save", done.stderr)
+
     def test_wrong_usage_and_files(self):
         match, points = "out/match.json", ("--points", "points.csv")
         self.expect_message(2, "--out is required", "transfer", match, *points)
@@ -248,6 +267,7 @@ class Transfer(Program):
         done = self.run_it("transfer", "out/match.json", "--points", "far.csv", "--out", "a.csv")
         self.assertEqual(done.returncode, 1)
         self.assertIn("are the points those of bear.off?", done.stderr)
+        self.assertIn("warning: 1 of 1 points of far.csv are farther from bear.off than a fifth of its diagonal", done.stderr)
         os.remove(self.path("out", "parts.json"))
         done = self.run_it("transfer", "out/match.json", "--points", "points.csv", "--out", "a.csv")
         self.assertEqual(done.returncode, 0)

@@ -39,6 +39,7 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
                     matches[i].similarity.matrix(),
                     model.diagonal,
                     data.diagonal,
+                    0,
                     {positions_of(model.surface), parts[i].model.samples},
                     {positions_of(data.surface), parts[i].data.samples}});
   }

@@ -28,6 +28,7 @@ struct MatchMap {
   double scale = 1;
   Mat4 similarity = Mat4::Identity();  ///< data_from_model as far as a similarity can tell, of homogeneous columns
   double model_diagonal = 0, data_diagonal = 0;
+  double thickness = 0;        ///< that both surfaces were given, in diagonals: samples lie half of it off them
   CoveredSamples model, data;  ///< empty: which part is covered is not known
 };
 

@@ -78,6 +78,7 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     }
     match.model_diagonal = model.at("diagonal");
     match.data_diagonal = data.at("diagonal");
+    match.thickness = json.value("parameters", ordered_json::object()).value("thicken", 0.0);
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
       fail(file, "a size is not positive; the file is damaged");
     family.matches.push_back(std::move(match));
