@@ -27,7 +27,7 @@ std::vector<OutputFile> attribute_files(const AttributedMesh& carried, const std
   }
   if (is_gltf(out)) return attributes_gltf(carried, out, from);
   if (lower_extension(out) == ".obj") return attributes_obj(carried, out, from);
-  return {{out, attributes_ply(carried, places, from)}};
+  return attributes_ply(carried, places, out, from);
 }
 
 std::vector<std::string> attribute_losses(const AttributedMesh& giver, const std::filesystem::path& out, const std::string& from) {
@@ -36,8 +36,8 @@ std::vector<std::string> attribute_losses(const AttributedMesh& giver, const std
   for (const std::string& what : giver.left_out) losses.push_back(fmt::format("{}: not carried: {}", from, what));
   const std::string ending = lower_extension(out);
   if (ending == ".obj" && !giver.fields.empty()) losses.emplace_back(".obj files hold no values and no labels; .ply and .glb files do");
-  if (ending == ".ply" && !giver.texturing.corners.empty()) {
-    losses.emplace_back("UVs and materials are not written to a .ply; an .obj or a .glb holds them");
+  if (ending == ".ply" && ply_leaves_out(giver.texturing)) {
+    losses.emplace_back("of materials a .ply holds the pictures alone; an .obj or a .glb holds more");
   }
   if (is_gltf(out)) {
     for (const std::string& name : pictures_left_out(giver.texturing)) {

@@ -3,18 +3,15 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <utility>
 
+#include "homolog/outputs/pictures.h"
 #include "homolog/outputs/specimen.h"
 
 namespace homolog {
 namespace {
 
 constexpr const char* bare_material = "not_carried";
-
-std::string picture_name(const std::filesystem::path& out, const Image& image) {
-  return fmt::format("{}.{}", out.stem().string(), one_line(image.name));
-}
 
 std::string mtl_text(const Texturing& texturing, const std::filesystem::path& out) {
   std::string text = fmt::format("newmtl {}\nKd 0.5 0.5 0.5\n", bare_material);
@@ -68,12 +65,7 @@ std::vector<OutputFile> attributes_obj(const AttributedMesh& mesh, const std::fi
   std::vector<OutputFile> files{{out, text + vertices_text(mesh) + faces_text(mesh)}};
   if (texturing.materials.empty()) return files;
   files.push_back({mtl, mtl_text(texturing, out)});
-  for (std::size_t i = 0; i < texturing.images.size(); ++i) {
-    const bool used = std::any_of(texturing.materials.begin(), texturing.materials.end(),
-                                  [&](const Material& material) { return material.image == static_cast<int>(i); });
-    const Image& image = texturing.images[i];
-    if (used && !image.bytes.empty()) files.push_back({out.parent_path() / picture_name(out, image), image.bytes});
-  }
+  for (OutputFile& picture : picture_files(texturing, out)) files.push_back(std::move(picture));
   return files;
 }
 

@@ -12,12 +12,14 @@ namespace {
 
 constexpr std::size_t piece = 1 << 16;  // bytes that are passed on together
 
-std::string header(const Mesh& mesh, bool coloured, const std::vector<VertexColumn>& columns, const std::string& comment) {
+std::string header(const Mesh& mesh, bool coloured, const std::vector<VertexColumn>& columns, bool laid, const std::string& comment) {
   std::string text = fmt::format("ply\nformat ascii 1.0\ncomment {}\nelement vertex {}\n", comment, mesh.vertices.size());
   for (const char* axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);
   if (coloured) text += "property uchar red\nproperty uchar green\nproperty uchar blue\n";
   for (const VertexColumn& column : columns) text += fmt::format("property {} {}\n", column.type, column.name);
-  return text + fmt::format("element face {}\nproperty list uchar int vertex_indices\nend_header\n", mesh.triangles.size());
+  text += fmt::format("element face {}\nproperty list uchar int vertex_indices\n", mesh.triangles.size());
+  if (laid) text += "property list uchar float texcoord\nproperty int texnumber\n";
+  return text + "end_header\n";
 }
 
 /// With as many digits as its type needs.
@@ -32,11 +34,19 @@ void write_value(std::string& text, const VertexColumn& column, std::size_t i) {
   }
 }
 
+void write_uvs(std::string& text, const TriangleUvs& uvs) {
+  text += " 6";
+  for (const auto& [u, v] : uvs.corners) {
+    fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {} {}"), static_cast<float>(u), static_cast<float>(v));
+  }
+  fmt::format_to(std::back_inserter(text), FMT_COMPILE(" {}"), uvs.picture);
+}
+
 }  // namespace
 
 void write_ply(const Mesh& mesh, const std::vector<Colour>& colours, const std::vector<VertexColumn>& columns, const std::string& comment,
-               const Sink& sink) {
-  std::string text = header(mesh, !colours.empty(), columns, comment);
+               const Sink& sink, const std::vector<TriangleUvs>& uvs) {
+  std::string text = header(mesh, !colours.empty(), columns, !uvs.empty(), comment);
   const auto out = std::back_inserter(text);
   const auto pass_on = [&](std::size_t least) {
     if (text.size() < least) return;
@@ -51,8 +61,11 @@ void write_ply(const Mesh& mesh, const std::vector<Colour>& colours, const std::
     text += '\n';
     pass_on(piece);
   }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    fmt::format_to(out, FMT_COMPILE("3 {} {} {}\n"), a, b, c);
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    const auto& [a, b, c] = mesh.triangles[t];
+    fmt::format_to(out, FMT_COMPILE("3 {} {} {}"), a, b, c);
+    if (!uvs.empty()) write_uvs(text, uvs[t]);
+    text += '\n';
     pass_on(piece);
   }
   pass_on(0);

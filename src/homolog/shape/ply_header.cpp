@@ -72,6 +72,7 @@ PlyHeader read_ply_header(Text& text) {
     if (!next_line(text, line)) fail(text, "the file ends inside its header; it is truncated");
     const std::string_view keyword = take_word(line);
     if (keyword == "end_header") break;
+    if (keyword == "comment") header.comments.push_back(rest_of(line));
     if (keyword == "comment" || keyword == "obj_info" || keyword.empty()) continue;
     if (keyword == "format") {
       header.encoding = read_encoding(text, line);

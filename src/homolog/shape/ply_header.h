@@ -28,6 +28,7 @@ struct PlyElement {
 struct PlyHeader {
   PlyEncoding encoding;
   std::vector<PlyElement> elements;
+  std::vector<std::string> comments = {};
 };
 
 /// Reads up to and including the line end_header. Throws FileError for anything the format does not allow, and for more elements than

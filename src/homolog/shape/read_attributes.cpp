@@ -17,7 +17,7 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
   const FindOther find_other = [&](const std::string& name) { return find_beside(path, name, limits.bytes); };
   AttributedMesh mesh;
   if (content.compare(0, 3, "ply") == 0) {
-    mesh = read_ply_attributes(content, file);
+    mesh = read_ply_attributes(content, file, find_other);
   } else if (lower_extension(path) == ".obj") {
     mesh = read_obj_attributes(content, file, find_other);
   } else if (is_gltf(content)) {

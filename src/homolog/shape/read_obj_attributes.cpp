@@ -5,8 +5,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <filesystem>
 
+#include "homolog/shape/find_picture.h"
 #include "homolog/shape/obj_lines.h"
 #include "homolog/shape/polygon.h"
 #include "homolog/shape/read_mtl.h"
@@ -14,8 +14,6 @@
 
 namespace homolog {
 namespace {
-
-constexpr std::size_t longest_name = 100;  // of a file that is named in messages
 
 /// A face: the numbers of its vertices and of their UVs, which may come later in the file.
 struct Face {
@@ -68,29 +66,9 @@ int material_number(Texturing& texturing, const std::string& name) {
   return static_cast<int>(materials.size()) - 1;
 }
 
-/// Once, however many materials name it.
-void tell_missing(Reader& reader, const std::string& name) {
-  const std::string told = shown(name, longest_name);
-  if (std::find(reader.missing.begin(), reader.missing.end(), told) == reader.missing.end()) reader.missing.push_back(told);
-}
-
-int image_number(Reader& reader, const std::string& picture) {
-  const std::string name = std::filesystem::path(picture).filename().string();
-  auto& images = reader.texturing.images;
-  const auto found = std::find_if(images.begin(), images.end(), [&](const Image& image) { return image.name == name; });
-  if (found != images.end()) return static_cast<int>(found - images.begin());
-  const std::optional<std::string> bytes = reader.find_other(picture);
-  if (!bytes) {
-    tell_missing(reader, picture);
-    return -1;
-  }
-  images.push_back({name, *bytes});
-  return static_cast<int>(images.size()) - 1;
-}
-
 void read_library(Reader& reader, const std::string& name) {
   const std::optional<std::string> content = reader.find_other(name);
-  if (!content) return tell_missing(reader, name);
+  if (!content) return tell_missing(name, reader.missing);
   const MtlFile mtl = read_mtl(*content, shown(name, longest_name));
   if (!mtl.other_maps.empty()) {
     reader.left_out.push_back(fmt::format("{} of {}", fmt::join(mtl.other_maps, ", "), shown(name, longest_name)));
@@ -98,7 +76,7 @@ void read_library(Reader& reader, const std::string& name) {
   for (const auto& [material, picture] : mtl.materials) {
     Material& own = reader.texturing.materials[material_number(reader.texturing, material.name)];
     own.colour = material.colour;
-    if (!picture.empty()) own.image = image_number(reader, picture);
+    if (!picture.empty()) own.image = find_picture(picture, reader.find_other, reader.texturing.images, reader.missing);
   }
 }
 
