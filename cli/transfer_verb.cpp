@@ -18,6 +18,7 @@
 #include "homolog/outputs/tps.h"
 #include "homolog/outputs/write_file.h"
 #include "homolog/shape/read_mesh.h"
+#include "homolog/shape/text.h"
 #include "stored_match.h"
 #include "transfer_attributes.h"
 #include "verbs.h"
@@ -80,13 +81,30 @@ void check_options(const TransferOptions& options) {
   if (!options.mesh.empty() && ending != ".ply") throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
 }
 
-std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const StoredShape& shape) {
+/// The markups of the file that points are from, if it is one of these and they are written as such.
+std::vector<MarkupList> lists_of(const TransferOptions& options, Console& console) {
+  if (lower_extension(options.points) != ".json") return {};
+  const std::vector<MarkupList> lists = read_markup_lists(read_file(options.points), options.points);
+  const bool kept = lower_extension(options.out) == ".json";
+  for (const MarkupList& list : lists) {
+    const std::string& type = list.dropped.empty() ? list.type : list.dropped;
+    if (list.dropped.empty() && (kept || (type == "Fiducial" && lists.size() == 1))) continue;
+    console.warn(
+        fmt::format("{}: what it holds is written as plain points{}", options.points,
+                    kept ? fmt::format(", not as {}", shown(type)) : ", one list after the other; a .mrk.json holds lists and curves"));
+    break;
+  }
+  return kept ? lists : std::vector<MarkupList>{};
+}
+
+std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const StoredShape& shape,
+                        const std::vector<MarkupList>& lists) {
   if (ending == ".csv") return carried_csv(landmarks);
   const std::vector<MarkupPoint> places = carried_places(landmarks);
   const Specimen specimen{std::filesystem::path(shape.file).stem().string(), places};
   if (ending == ".tps") return tps_text(specimen);
   if (ending == ".txt") return morphologika_text(specimen);
-  return ending == ".pts" ? pts_text(places) : markups_text(places, shape.ras);
+  return ending == ".pts" ? pts_text(places) : markups_text(places, shape.ras, lists);
 }
 
 std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
@@ -143,7 +161,7 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
   warn_of_far_points(points, options.points, shape, console);
   const auto landmarks = carry_landmarks(match, points, direction);
-  Carried result{points_text(landmarks, lower_extension(options.out), to), 0, landmarks.size()};
+  Carried result{points_text(landmarks, lower_extension(options.out), to, lists_of(options, console)), 0, landmarks.size()};
   for (const CarriedLandmark& landmark : landmarks) {
     result.there += landmark.point && landmark.point->is_there();
     result.missing += !landmark.point;

@@ -70,6 +70,18 @@ class Transfer(Program):
             self.assertLess(math.dist(there["controlPoints"][0]["position"], bear.turned(self.HEAD)), 0.5)
         self.assertEqual(json.loads(self.read("ras", "model.mrk.json"))["markups"][0]["coordinateSystem"], "RAS")
 
+    def test_markups_keep_their_lists_types_and_units(self):
+        with open(self.path("two.mrk.json"), "w") as file:
+            markup = lambda type, *places: {"type": type, "coordinateUnits": "um", "controlPoints": [{"position": p} for p in places]}
+            json.dump({"markups": [markup("Curve", [-self.HEAD[0], *self.HEAD[1:]], self.NECK), markup("Fiducial", self.FOOT)]}, file)
+        transfer = ("transfer", "out/match.json", "--points", "two.mrk.json", "--out")
+        done = self.run_it(*transfer, "there.mrk.json")
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        lists = json.loads(self.read("there.mrk.json"))["markups"]
+        self.assertEqual([(m["type"], m["coordinateUnits"], len(m["controlPoints"])) for m in lists], [("Curve", "um", 2), ("Fiducial", "um", 1)])
+        done = self.run_it(*transfer, "there.csv")
+        self.assertIn("two.mrk.json: what it holds is written as plain points, one list after the other", done.stderr)
+
     def test_formats_of_morphometrics(self):
         with open(self.path("points.fcsv"), "w") as file:
             file.write("# Markups fiducial file version = 4.13\n# CoordinateSystem = 0\n")

@@ -14,7 +14,13 @@ void run(const std::string& bytes) {
   } catch (const FileError& error) {
     return require_one_line(error);
   }
-  const std::vector<MarkupPoint> again = read_markups(markups_text(points), "written");
+  std::vector<MarkupList> lists;
+  try {
+    lists = read_markup_lists(bytes, "fuzzed");
+  } catch (const FileError& error) {
+    return require_one_line(error);
+  }
+  const std::vector<MarkupPoint> again = read_markups(markups_text(points, false, lists), "written");
   require(again.size() == points.size(), "as many points are read as were written");
   for (std::size_t i = 0; i < points.size(); ++i) {
     require(!points[i].position || points[i].position->allFinite(), "coordinates are finite");

@@ -16,6 +16,24 @@ std::string csv_message(const std::string& text) {
   return message_of([&] { read_points_csv(text, "a.csv"); });
 }
 
+TEST(Markups, KeepListsTypesAndUnits) {
+  const std::vector<MarkupPoint> points{{"a", "", Vec3(1, 2, 3)}, {"b", "", {}}, {"c", "", Vec3(4, 5, 6)}};
+  const std::string text = markups_text(points, false, {{2, "Curve", "edge", "um"}, {1, "Fiducial", "", "mm"}, {}});
+  const std::vector<MarkupList> lists = read_markup_lists(text, "a");
+  ASSERT_EQ(lists.size(), 3u);
+  EXPECT_EQ(lists[0].points, 2u);
+  EXPECT_EQ(lists[0].type, "Curve");
+  EXPECT_EQ(lists[0].name, "edge");
+  EXPECT_EQ(lists[0].units, "um");
+  EXPECT_EQ(lists[1].units, "mm");
+  EXPECT_EQ(lists[2].points, 0u);
+  EXPECT_EQ(read_markups(text, "a")[2].position, Vec3(4, 5, 6));
+  const auto plane = read_markup_lists(R"({"markups": [{"type": "Plane", "controlPoints": [{"position": [1, 2, 3]}]}]})", "a");
+  EXPECT_EQ(plane[0].type, "Fiducial");
+  EXPECT_EQ(plane[0].dropped, "Plane");
+  EXPECT_EQ(message_of([&] { read_markup_lists(R"({"markups": [{"type": 1, "controlPoints": []}]})", "a"); }).substr(0, 3), "a: ");
+}
+
 std::string markups_message(const std::string& text) {
   return message_of([&] { read_markups(text, "a.mrk.json"); });
 }

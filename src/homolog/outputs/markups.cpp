@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "homolog/base/errors.h"
 #include "homolog/outputs/json_text.h"
 #include "homolog/shape/text.h"
@@ -46,14 +49,35 @@ MarkupPoint read_point(const ordered_json& json, const Vec3& signs, const std::s
 
 }  // namespace
 
-std::string markups_text(const std::vector<MarkupPoint>& points, bool ras) {
-  ordered_json list = ordered_json::array();
-  for (const MarkupPoint& point : points) list.push_back(control_point(point, list.size() + 1));
-  ordered_json markup = {{"type", "Fiducial"}, {"coordinateSystem", ras ? "RAS" : "LPS"}, {"controlPoints", std::move(list)}};
-  ordered_json json;
-  json["@schema"] = kMarkupsSchema;
-  json["markups"] = ordered_json::array({std::move(markup)});
-  return json_text(json);
+std::string markups_text(const std::vector<MarkupPoint>& points, bool ras, const std::vector<MarkupList>& lists) {
+  ordered_json markups = ordered_json::array();
+  std::size_t next = 0;
+  for (const MarkupList& list : lists.empty() ? std::vector{MarkupList{points.size()}} : lists) {
+    ordered_json markup = {{"type", list.type}};
+    if (!list.name.empty()) markup["name"] = list.name;
+    markup["coordinateSystem"] = ras ? "RAS" : "LPS";
+    if (!list.units.empty()) markup["coordinateUnits"] = list.units;
+    ordered_json& control_points = markup["controlPoints"] = ordered_json::array();
+    for (std::size_t i = 0; i < list.points; ++i) control_points.push_back(control_point(points.at(next++), i + 1));
+    markups.push_back(std::move(markup));
+  }
+  return json_text({{"@schema", kMarkupsSchema}, {"markups", std::move(markups)}});
+}
+
+std::vector<MarkupList> read_markup_lists(const std::string& text, const std::string& file) {
+  static const std::string types[] = {"Fiducial", "Line", "Angle", "Curve", "ClosedCurve"};
+  return read_json(text, file, "markups of 3D Slicer", [&](const ordered_json& json) {
+    std::vector<MarkupList> lists;
+    for (const ordered_json& markup : json.at("markups")) {
+      MarkupList list{markup.at("controlPoints").size(), markup.value("type", "Fiducial"), markup.value("name", ""),
+                      markup.value("coordinateUnits", "")};
+      if (std::find(std::begin(types), std::end(types), list.type) == std::end(types)) {
+        list.dropped = std::exchange(list.type, "Fiducial");
+      }
+      lists.push_back(std::move(list));
+    }
+    return lists;
+  });
 }
 
 std::vector<MarkupPoint> read_markups(const std::string& text, const std::string& file) {
