@@ -64,12 +64,13 @@ void append_colours(Reader& reader, const json& attributes, std::size_t vertices
   }
 }
 
-Field& field_of(std::vector<Field>& fields, const std::string& name, bool is_label) {
-  for (Field& field : fields) {
-    if (field.name == name) return field;
+/// The one of that name; `otherwise` is added if there is none.
+template <class Named>
+Named& of_name(std::vector<Named>& list, Named otherwise) {
+  for (Named& named : list) {
+    if (named.name == otherwise.name) return named;
   }
-  fields.push_back({name, is_label ? Field::Kind::label : Field::Kind::value, {}});
-  return fields.back();
+  return list.emplace_back(std::move(otherwise));
 }
 
 /// Attributes of the file's own, whose names begin with '_': those of one number are fields, labels if the numbers are whole by type.
@@ -82,7 +83,7 @@ void append_fields(Reader& reader, const json& attributes, std::size_t first, st
     const json& accessor = entry(reader.file, "accessors", number);
     if (!accessor.contains("type") || accessor["type"] != "SCALAR") continue;
     const bool is_whole = accessor.contains("componentType") && accessor["componentType"] != gltf_float;
-    Field& field = field_of(mesh.fields, name.substr(1), is_whole);
+    Field& field = of_name(mesh.fields, Field{name.substr(1), is_whole ? Field::Kind::label : Field::Kind::value, {}});
     if (mesh.fields.size() * (first + vertices) > most_values) {
       throw FileError(
           fmt::format("{}: its vertices hold more than the {} values that are read; leave some out", reader.file.name, most_values));
@@ -122,12 +123,8 @@ ShapeKey& key_of(Reader& reader, const Instance& instance, std::size_t target) {
   const json &names = list_at(object_at(instance.mesh, "extras"), "targetNames"), &weights = list_at(instance.mesh, "weights");
   const bool named = target < names.size() && names[target].is_string();
   const std::string name = named ? names[target].get<std::string>() : fmt::format("key {}", target + 1);
-  for (ShapeKey& key : reader.mesh.shape_keys) {
-    if (key.name == name) return key;
-  }
   const bool weighed = target < weights.size() && weights[target].is_number();
-  reader.mesh.shape_keys.push_back({name, weighed ? weights[target].get<double>() : 0, {}});
-  return reader.mesh.shape_keys.back();
+  return of_name(reader.mesh.shape_keys, ShapeKey{name, weighed ? weights[target].get<double>() : 0, {}});
 }
 
 void append_shape_keys(Reader& reader, const Instance& instance, const json& primitive, std::size_t first, std::size_t vertices) {
