@@ -29,8 +29,8 @@ struct Misplaced {
 };
 
 /// None where three quarters of the shape lie on the mesh, or three quarters of the mesh on the shape: so that parts of the shape, more
-/// than was matched of it, other tessellations and organs inside are welcome. Shapes turned by a quarter share half of their surface at
-/// most, but those that look alike before and behind can stand turned about unnoticed.
+/// than was matched of it and other tessellations are welcome. Shapes with another axis up share half of their surface at most; but those
+/// that look alike before and behind can stand turned about unnoticed.
 std::optional<Misplaced> misplaced(const Mesh& mesh, const std::string& file, const MatchedShape& shape);
 
 /// How many of these are farther from the shape than carrying reaches, a fifth of its diagonal; landmarks off the surface are not.

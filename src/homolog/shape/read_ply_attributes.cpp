@@ -76,7 +76,7 @@ AttributedMesh read_ply_attributes(std::string_view content, const std::string& 
   for (const PlyElement& element : source.header.elements) {
     if (element.name == "vertex") {
       vertices = read_columns(source, element);
-    } else if (element.name == "face" && !mesh.mesh.triangles.empty()) {
+    } else if (element.name == "face" && element.properties.size() > 1 && !mesh.mesh.triangles.empty()) {
       faces = read_ply_faces(source, element, mesh.mesh);
       if (const std::string told = told_lists(element); !told.empty()) mesh.left_out.push_back(told + " of its faces");
     } else {
