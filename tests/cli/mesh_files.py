@@ -28,6 +28,11 @@ def lines(*some):
     return ("\n".join(some) + "\n").encode()
 
 
+def coff(v, f):
+    rows = bear.off(v, f).encode().split(b"\n")
+    return b"C" + b"\n".join(row + b" 1 0 0 1" * (2 <= i < 2 + len(v)) for i, row in enumerate(rows))
+
+
 def obj(v, f):
     return lines("mtllib none.mtl", "o solid", *("v %r %r %r" % x for x in v), "usemtl red", *("f %d %d %d" % (a + 1, b + 1, c + 1) for a, b, c in f))
 
@@ -236,6 +241,7 @@ def all_files():
     v, f = solid()
     return {
         "solid.off": bear.off(v, f).encode(),
+        "coloured.off": coff(v, f),
         "solid.obj": obj(v, f),
         "text.stl": stl_text(v, f),
         "binary.stl": stl_binary(v, f),
@@ -261,9 +267,12 @@ def all_files():
         "cloud.ply": cloud_files.ply("ascii"),
         "binary_cloud.ply": cloud_files.ply("binary_little_endian"),
         "labels.nii": volume_files.nifti(),
+        "labels2.nii": volume_files.nifti2(),
         "packed.nii.gz": gzip.compress(volume_files.nifti(), mtime=0),
         "labels.nrrd": volume_files.nrrd("raw"),
         "packed.nrrd": volume_files.nrrd("gzip"),
+        "beside.nhdr": volume_files.nrrd_header(),
+        "beside.mhd": volume_files.metaimage_header(),
         "labels.mha": volume_files.metaimage(False),
         "packed.mha": volume_files.metaimage(True),
     }

@@ -14,6 +14,7 @@ import sys
 import tempfile
 
 import mesh_files
+import volume_files
 
 MEMORY, SECONDS = 6 << 30, 10
 LIES = [b"-1", b"0", b"1e300", b"-1e-300", b"nan", b"inf", b"4294967295", b"99999999999999999999", b"\xff\xff\xff\xff", b"\xff\xff\xff\x7f",
@@ -85,6 +86,9 @@ def main():
     broken = 0
     print(f"{'file':12} {'runs':>6} {'read':>6} {'refused':>8} {'fenced':>7} {'broken':>7}")
     with tempfile.TemporaryDirectory() as folder:
+        for name, content in volume_files.beside().items():
+            with open(os.path.join(folder, name), "wb") as file:
+                file.write(content)
         for name, content in mesh_files.all_files().items():
             if options.only not in (None, name):
                 continue

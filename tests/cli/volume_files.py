@@ -26,6 +26,29 @@ def nifti():
     return bytes(head) + voxels()
 
 
+def nifti2():
+    head = bytearray(544)
+    struct.pack_into("<i8s2h8q", head, 0, 540, b"n+2\0\r\n\x1a\n", 2, 8, 3, *SIZE, 1, 1, 1, 1)
+    struct.pack_into("<8d", head, 104, 1, 1, 1.5, 2, 0, 0, 0, 0)
+    struct.pack_into("<q", head, 168, 544)
+    struct.pack_into("<i", head, 348, 1)
+    struct.pack_into("<12d", head, 400, 1, 0, 0, 5, 0, 1.5, 0, 6, 0, 0, 2, 7)
+    return bytes(head) + voxels()
+
+
+def beside():
+    """What the headers of nrrd_header() and metaimage_header() name."""
+    return {"voxels.raw": voxels()}
+
+
+def nrrd_header():
+    return nrrd("raw")[: -len(voxels()) - 1] + b"data file: voxels.raw\n\n"
+
+
+def metaimage_header():
+    return metaimage(False)[: -len(voxels())].replace(b"LOCAL", b"voxels.raw")
+
+
 def nrrd(encoding):
     header = f"NRRD0004\ntype: uchar\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIZE[0]} {SIZE[1]} {SIZE[2]}\n"
     header += f"space directions: (1,0,0) (0,1.5,0) (0,0,2)\nencoding: {encoding}\nspace origin: (5,6,7)\n\n"
