@@ -41,6 +41,12 @@ double mean_distance(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return sum;
 }
 
+// Does a proper map pair most points with themselves? Where many lie together, as on a head, they are not half of the nodes.
+bool keeps_its_points(const Refined& match) {
+  const auto own = std::count_if(match.pairs.begin(), match.pairs.end(), [](const Correspondence& c) { return c.model == c.data; });
+  return match.cloth.chirality == Chirality::proper && 2 * own > std::ssize(match.pairs);
+}
+
 // Does most of the model stay where it is? A proper map that leaves half of the nodes there exchanges a limb at most.
 bool stays(const Cloth& cloth, const Shape& model) {
   if (cloth.chirality == Chirality::mirrored) return mean_distance(cloth.nodes, model.body.nodes) < same_map * model.diagonal;
@@ -158,7 +164,7 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
     begin = end;
   }
   parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });
-  if (without_identity) std::erase_if(refined, is_identity);
+  if (without_identity) std::erase_if(refined, [&](const Refined& r) { return is_identity(r) || keeps_its_points(r); });
   return without_duplicates(std::move(refined), model, data);
 }
 
