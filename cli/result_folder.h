@@ -3,11 +3,8 @@
 #pragma once
 
 #include <filesystem>
-#include <string>
-#include <utility>
-#include <vector>
 
-#include "homolog/outputs/sink.h"
+#include "homolog/outputs/write_folder.h"
 
 namespace homolog::cli {
 
@@ -20,8 +17,8 @@ class ResultFolder {
   bool wanted() const { return !path_.empty(); }
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
 
-  /// Makes the folder and writes files by their names in it, all or none. Throws OutputError.
-  void write(const std::vector<std::pair<std::string, Writing>>& files) const;
+  /// As write_folder() does; Ctrl-C does not stop it.
+  void write(const NamedFiles& files) const;
 
  private:
   std::filesystem::path path_;

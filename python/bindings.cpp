@@ -7,14 +7,18 @@
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <map>
+#include <tuple>
 
 #include "arrays.h"
 #include "dense.h"
+#include "found.h"
 #include "homolog/shape/read_mesh.h"
 #include "interruptible.h"
+#include "landmarks.h"
 #include "results.h"
 
 namespace nb = nanobind;
@@ -72,7 +76,8 @@ void check_described_with(const Described& described, const Params& params) {
   }
 }
 
-std::pair<Places, Triangles> read(const std::filesystem::path& path, const Label& label, const std::map<std::string, std::uint64_t>& most) {
+std::tuple<Places, Triangles, bool> read(const std::filesystem::path& path, const Label& label,
+                                         const std::map<std::string, std::uint64_t>& most) {
   ReadLimits limits;
   for (const auto& [what, number] : most) {
     if (what == "bytes") limits.bytes = number;
@@ -88,64 +93,43 @@ std::pair<Places, Triangles> read(const std::filesystem::path& path, const Label
   for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
     for (int c = 0; c < 3; ++c) triangles(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][static_cast<std::size_t>(c)];
   }
-  return {places_of(mesh.vertices), triangles};
+  return {places_of(mesh.vertices), triangles, mesh.ras};
 }
 
-Described describe(const Places& vertices, const Triangles& triangles, const std::string& name, const std::optional<Corners>& part,
-                   const Given& given) {
+Described describe(const Places& vertices, const Triangles& triangles, const std::string& name, bool ras,
+                   const std::optional<Corners>& part, const Given& given) {
   Interruptible working;
   Described described;
   described.params = params_of(given);
   described.mesh = mesh_of(vertices, triangles);
+  described.mesh.ras = ras;
   const auto box = part ? std::optional(Box{part->row(0), part->row(1)}) : std::nullopt;
   described.shape = describe_shape(described.mesh, described.params, box);
   described.shape.name = name;
   return described;
 }
 
-// A family with what users take home of it.
-struct Found {
-  Family family;
-  std::vector<MatchParts> parts;
-  std::vector<MatchMap> maps;
-
-  nb::tuple fields() const { return family_fields(family, parts, maps); }
-};
-
 // What `find` finds of the model in the data.
 template <class Find>
-Found found(const Described& model, const Described& data, const Params& params, Find find) {
-  check_described_with(model, params);
-  check_described_with(data, params);
-  Found result{find(model.shape, data.shape), {}, {}};
-  const ThreadLimit limit(params.threads);
-  result.parts = covered_parts(model.meshed(), data.meshed(), result.family.matches);
-  result.maps = match_maps(result.family.matches, model.shape, data.shape, result.parts);
-  for (MatchMap& map : result.maps) map.thickness = params.voxel.thicken;
-  return result;
+nb::tuple found(const Described& model, const Described& data, const Given& given, bool against_itself, Find find) {
+  Params params;
+  Family family;
+  {
+    Interruptible working;
+    params = params_of(given);
+    check_described_with(model, params);
+    check_described_with(data, params);
+    family = find(model.shape, data.shape, params);
+  }
+  return family_of(model.meshed(), data.meshed(), std::move(family), params, against_itself);
 }
 
 nb::tuple match(const Described& model, const Described& data, const Given& given) {
-  Found result;
-  {
-    Interruptible working;
-    const Params params = params_of(given);
-    result = found(model, data, params, [&](const Shape& a, const Shape& b) { return match_shapes(a, b, params); });
-  }
-  return result.fields();
+  return found(model, data, given, false, [](const Shape& a, const Shape& b, const Params& params) { return match_shapes(a, b, params); });
 }
 
 nb::tuple symmetry(const Described& shape, const Given& given) {
-  Found result;
-  std::vector<Symmetry> symmetries;
-  {
-    Interruptible working;
-    const Params params = params_of(given);
-    result = found(shape, shape, params, [&](const Shape& a, const Shape&) { return find_symmetries(a, params); });
-    const ThreadLimit limit(params.threads);
-    symmetries = symmetries_of(shape.meshed(), result.family.matches, result.parts);
-  }
-  return nb::make_tuple(result.fields(), symmetries_fields(symmetries));
+  return found(shape, shape, given, true, [](const Shape& a, const Shape&, const Params& params) { return find_symmetries(a, params); });
 }
 
 Places warp(const std::string& kernel, const Places& centres, const Places& weights, const Eigen::Matrix<double, 3, 4>& affine,
@@ -200,8 +184,10 @@ NB_MODULE(_core, module) {
       .def_prop_ro("points", [](const py::Described& d) { return py::points_fields(d.shape.points); });
   auto match_map = py::bind_match_map(module);
   py::bind_dense(module, match_map);
+  py::bind_found(module);
+  py::bind_landmarks(module);
   module.def("read", &py::read, nb::arg("path"), nb::arg("label").none(), nb::arg("most"));
-  module.def("describe", &py::describe, nb::arg("vertices"), nb::arg("triangles"), nb::arg("name"), nb::arg("part").none(),
+  module.def("describe", &py::describe, nb::arg("vertices"), nb::arg("triangles"), nb::arg("name"), nb::arg("ras"), nb::arg("part").none(),
              nb::arg("parameters"));
   module.def("match", &py::match, nb::arg("model"), nb::arg("data"), nb::arg("parameters"));
   module.def("symmetry", &py::symmetry, nb::arg("shape"), nb::arg("parameters"));

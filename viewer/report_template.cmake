@@ -3,8 +3,11 @@ set(HOMOLOG_REPORT_TEMPLATE "" CACHE FILEPATH "A report_template.cpp made elsewh
 
 set(report_template ${HOMOLOG_REPORT_TEMPLATE})
 if(NOT report_template)
-  find_program(HOMOLOG_NODE NAMES node nodejs REQUIRED)
-  find_program(HOMOLOG_NPM npm REQUIRED)
+  find_program(HOMOLOG_NODE NAMES node nodejs)
+  find_program(HOMOLOG_NPM npm)
+  if(NOT HOMOLOG_NODE OR NOT HOMOLOG_NPM)
+    message(FATAL_ERROR "The page of the report is bundled by Node.js and npm, which are not there; scripts/install_dependencies.sh --build-only installs them.")
+  endif()
   set(viewer ${CMAKE_CURRENT_SOURCE_DIR}/viewer)
   set(report_template ${CMAKE_CURRENT_BINARY_DIR}/viewer/report_template.cpp)
   file(GLOB viewer_sources CONFIGURE_DEPENDS ${viewer}/src/*)

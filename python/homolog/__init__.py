@@ -19,12 +19,14 @@ from typing import Any
 from homolog import _core
 from homolog._core import __version__
 from homolog.dense import Dense, DenseMap, Morph
-from homolog.results import Carried, Family, Match, Points, Symmetry, ThinPlateSpline, family_of
-from homolog.shapes import Shape, arrays_of, texts_of
+from homolog.landmarks import Carried, Landmarks, read_landmarks, write_landmarks
+from homolog.results import Family, Match, Points, Symmetry, ThinPlateSpline, family_of
+from homolog.shapes import Shape, surface_of, texts_of
+from homolog.stored import load
 
 __all__ = [
-    "Carried", "Dense", "DenseMap", "Family", "Match", "Morph", "Points", "Shape", "Symmetry", "ThinPlateSpline", "__version__", "describe",
-    "match", "parameters", "points", "symmetry",
+    "Carried", "Dense", "DenseMap", "Family", "Landmarks", "Match", "Morph", "Points", "Shape", "Symmetry", "ThinPlateSpline", "__version__",
+    "describe", "load", "match", "parameters", "points", "read_landmarks", "symmetry", "write_landmarks",
 ]  # fmt: skip
 
 
@@ -44,12 +46,12 @@ def describe(
     for what, number in most.items():
         if not isinstance(number, int) or number < 1:
             raise ValueError(f"max_{what} is {number!r}, but must be a whole number from 1")
-    return Shape(*arrays_of(shape, label, most), part, texts_of(parameters))
+    return Shape(surface_of(shape, label, most), part, texts_of(parameters))
 
 
 def _described(shape: Any, part: Any, label: int | None, parameters: dict[str, str]) -> Shape:
     if not isinstance(shape, Shape):
-        return Shape(*arrays_of(shape, label), part, parameters)
+        return Shape(surface_of(shape, label), part, parameters)
     if part is not None or label is not None:
         raise ValueError("a described shape has its part and its label already; give them to homolog.describe")
     return shape
@@ -91,8 +93,7 @@ def symmetry(shape: Any, *, part: Any = None, label: int | None = None, **parame
     """A shape against itself: its symmetries and repeated parts, the identity left out. What each one says stands in `symmetries`."""
     texts = _with_those_of((shape,), parameters)
     shape = _described(shape, part, label, texts)
-    found, symmetries = _core.symmetry(shape._described, texts)
-    return family_of(found, copy(shape), copy(shape), symmetries)
+    return family_of(_core.symmetry(shape._described, texts), copy(shape), copy(shape))
 
 
 def parameters() -> list[dict[str, Any]]:

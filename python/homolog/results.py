@@ -2,6 +2,7 @@
 """What calls return: plain numpy arrays with names, in the coordinates and units of the shapes. All of it pickles."""
 from __future__ import annotations
 
+import os
 import warnings
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,18 +13,20 @@ import numpy as np
 
 from homolog import _core
 from homolog.dense import Dense, Morph, dense_of
+from homolog.landmarks import Carried, Landmarks
 
 if TYPE_CHECKING:
     from homolog.shapes import Shape
 
 
 def _places(points: Any) -> np.ndarray:
-    places = np.asarray(points, np.float64)
+    places = np.asarray(points.position if isinstance(points, Landmarks) else points, np.float64)
     if places.ndim not in (1, 2) or places.shape[-1] != 3:
         raise ValueError(f"the points have the shape {places.shape}, but must have (n, 3) or (3,)")
     return places
 
 
+_UNKNOWN = {"there": False, "coverage": 0.0}  #: of points that are missing already
 _HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
 
 
@@ -72,19 +75,6 @@ class ThinPlateSpline:
 
 
 @dataclass(frozen=True, eq=False, repr=False)
-class Carried:
-    """Points carried to the other shape, each with how far it can be trusted."""
-
-    position: np.ndarray  #: (n, 3), where the map puts them
-    there: np.ndarray  #: (n,) of bool; false: outside the covered part, thus missing on the other shape, whatever `position` says
-    expected_error: np.ndarray  #: (n,), true errors are larger as often as smaller if the match is right; unit of the shape carried to
-    coverage: np.ndarray  #: (n,), how surely each lies in the covered part, 0 to 1
-
-    def __repr__(self) -> str:
-        return f"<homolog.Carried: {np.count_nonzero(self.there)} of {self.there.size} points there>"
-
-
-@dataclass(frozen=True, eq=False, repr=False)
 class Match:
     """One place where the model, or a part of it, occurs in the data: k pairs of points and the map between the shapes."""
 
@@ -106,7 +96,7 @@ class Match:
     _map: _core.MatchMap
 
     def carry_to_data(self, points: Any) -> Carried:
-        """Carries points (n, 3) or (3,) of the model, such as landmarks, to the data by `data_from_model`."""
+        """Carries points of the model, (n, 3), (3,) or Landmarks, to the data by `data_from_model`. NaN, missing, stays so."""
         return self._carry(points, True)
 
     def carry_to_model(self, points: Any) -> Carried:
@@ -115,8 +105,14 @@ class Match:
 
     def _carry(self, points: Any, to_data: bool) -> Carried:
         places = _places(points)
-        fields = self._map.carry(np.atleast_2d(places), to_data)
-        return Carried(**{name: field.reshape(places.shape[:-1] + field.shape[1:]) for name, field in fields.items()})
+        rows = np.atleast_2d(places)
+        known = np.isfinite(rows).all(axis=1)
+        carried = {}
+        for name, field in self._map.carry(rows[known], to_data).items():
+            whole = np.full((len(rows), *field.shape[1:]), _UNKNOWN.get(name, np.nan), field.dtype)
+            whole[known] = field
+            carried[name] = whole.reshape(places.shape[:-1] + field.shape[1:])
+        return Carried(**carried)
 
     def _row(self) -> list[str]:
         numbers = [f"{self.scale:.4g}", f"{self.bending:.4f}", f"{self.chamfer:.4f}"]
@@ -155,6 +151,7 @@ class Family(Sequence[Match]):
     data: Shape
     followed: Points  #: places in the data to which matches follow a point of the model; their numbers go on those of data.points
     doubt: str  #: a sentence when no match is likely to be right, else empty
+    _found: _core.Found
     symmetries: tuple[Symmetry, ...] = ()  #: of homolog.symmetry: what each match says, in their order; empty of homolog.match
 
     def __len__(self) -> int:
@@ -194,10 +191,12 @@ class Family(Sequence[Match]):
         what has no place gets what is nearest to where the match lays it. What `out` cannot hold is told by a UserWarning. Throws OSError
         for files that cannot be read or written, and for a `source` or `onto` that lies elsewhere than the shape that was matched.
         """
-        from homolog.shapes import arrays_of
+        from homolog.shapes import surface_of
 
         receiver = self.model if to_model else self.data
-        vertices, faces = (receiver.vertices, receiver.faces) if onto is None else arrays_of(onto)[:2]
+        if onto is None:
+            receiver.require_mesh()
+        vertices, faces = (receiver.vertices, receiver.faces) if onto is None else surface_of(onto)[:2]
         giver = self.data if to_model else self.model
         names = [giver.name or "the giver", receiver.name or "the receiver", "onto"]
         placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill, names)
@@ -205,9 +204,25 @@ class Family(Sequence[Match]):
             warnings.warn(loss, UserWarning, stacklevel=2)
         return placed
 
+    def save(self, folder: str | os.PathLike[str]) -> None:
+        """Writes the folder that `homolog match --out` or `homolog symmetry --out` writes, report.html too; homolog.load reads it again.
+
+        Throws OSError if it cannot be written, and leaves it as it was then.
+        """
+        if len(self.matches) != self._found.matches:
+            raise ValueError("the matches of this family were changed; save the family that was found")
+        parts = [(match._map, match.model_part, match.data_part) for match in self.matches]
+        if any(np.isnan(weights).any() for part in parts for weights in part[1:]):
+            raise ValueError("the covered parts are not known, for no parts.json lay beside the match.json; match the shapes again")
+        _core.save(self._found, Path(folder), *self._meshes(), parts)
+
+    def _meshes(self) -> tuple[np.ndarray, np.ndarray, np.ndarray, np.ndarray]:
+        self.model.require_mesh()
+        self.data.require_mesh()
+        return self.model.vertices, self.model.faces, self.data.vertices, self.data.faces
+
     def _laid(self, rank: int) -> tuple[Dense, Morph]:
-        meshes = (self.model.vertices, self.model.faces, self.data.vertices, self.data.faces)
-        return dense_of(self[rank]._map.dense(*meshes), self.model, self.data)
+        return dense_of(self[rank]._map.dense(*self._meshes()), self.model, self.data)
 
     def plot(self, rank: int = 0, **keywords: Any) -> Any:
         """Draws a match with PyVista (`pip install homolog[viz]`): both meshes, the covered parts in colour, the pairs with their numbers.
@@ -241,8 +256,9 @@ class Family(Sequence[Match]):
         return table + doubt + (f"<ol>{said}</ol>" if said else "")
 
 
-def family_of(found: tuple[list[dict], dict[str, int], dict, str], model: Shape, data: Shape, symmetries: Sequence[dict] = ()) -> Family:
+def family_of(fields: tuple[tuple, list[dict] | None, _core.Found], model: Shape, data: Shape) -> Family:
     """From what _core returns."""
-    matches, counts, followed, doubt = found
-    made = (Match(**{**fields, "data_from_model": ThinPlateSpline(**fields["data_from_model"])}) for fields in matches)
-    return Family(tuple(made), counts, model, data, Points(**followed), doubt, tuple(Symmetry(**fields) for fields in symmetries))
+    (matches, counts, followed, doubt), symmetries, found = fields
+    made = (Match(**{**match, "data_from_model": ThinPlateSpline(**match["data_from_model"])}) for match in matches)
+    told = tuple(Symmetry(**symmetry) for symmetry in symmetries or ())
+    return Family(tuple(made), counts, model, data, Points(**followed), doubt, found, told)

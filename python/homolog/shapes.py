@@ -6,16 +6,26 @@ import difflib
 import os
 import warnings
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from homolog import _core
+from homolog.files import told_if_missing
 from homolog.results import Points
 
 
-def arrays_of(shape: Any, label: int | None = None, most: dict[str, int] | None = None) -> tuple[np.ndarray, np.ndarray, str]:
-    """Vertices (n, 3), triangles (m, 3) and a name of anything that `describe` takes; of a file with its label, and no more than `most`."""
+class Surface(NamedTuple):
+    """What is known of a shape before it is described."""
+
+    vertices: np.ndarray  # (n, 3)
+    faces: np.ndarray  # (m, 3)
+    name: str
+    ras: bool
+
+
+def surface_of(shape: Any, label: int | None = None, most: dict[str, int] | None = None) -> Surface:
+    """The surface of anything that `describe` takes; of a file with its label, and no more than `most`."""
     if isinstance(shape, (str, bytes, os.PathLike)):
         return _read(Path(os.fsdecode(shape)), label, most or {})
     if label is not None or most:
@@ -34,7 +44,7 @@ def arrays_of(shape: Any, label: int | None = None, most: dict[str, int] | None 
     else:
         kind = type(shape).__name__
         raise ValueError(f"a {kind} is no shape; give a path, (vertices, faces), or a mesh with .vertices and .faces")
-    return _rows(vertices, "vertices", np.float64), _rows(faces, "faces", np.uint32), ""
+    return Surface(_rows(vertices, "vertices", np.float64), _rows(faces, "faces", np.uint32), "", False)
 
 
 def _surface_of(mesh: Any) -> Any:
@@ -45,13 +55,10 @@ def _surface_of(mesh: Any) -> Any:
         return mesh.extract_surface()
 
 
-def _read(path: Path, label: int | None, most: dict[str, int]) -> tuple[np.ndarray, np.ndarray, str]:
-    try:
-        return *_core.read(path, label, most), path.name
-    except OSError as error:
-        if path.exists():
-            raise
-        raise FileNotFoundError(str(error)) from None
+def _read(path: Path, label: int | None, most: dict[str, int]) -> Surface:
+    with told_if_missing(path):
+        vertices, faces, ras = _core.read(path, label, most)
+        return Surface(vertices, faces, path.name, ras)
 
 
 def _rows(rows: Any, what: str, dtype: type) -> np.ndarray:
@@ -102,21 +109,35 @@ class Shape:
     vertices: np.ndarray  #: (n, 3)
     faces: np.ndarray  #: (m, 3), triangles
     name: str  #: of the file, if there was one
+    ras: bool  #: whether the file states RAS, as 3D Slicer writes it; else its coordinates are taken for LPS, where that matters
     points: Points  #: the salient points
     diagonal: float  #: of the bounding box of the part in use, in the shape's own units
-    guessed: float  #: share of the volume that had to be guessed, because the mesh is open: 0 to 1
+    guessed: float  #: share of the volume that had to be guessed, because the mesh is open: 0 to 1; NaN if it is not known, of homolog.load
 
-    def __init__(self, vertices: np.ndarray, faces: np.ndarray, name: str, part: Any, parameters: dict[str, str]):
-        self.vertices, self.faces, self.name, self.part, self.parameters = vertices, faces, name, part, parameters
+    def __init__(self, surface: Surface, part: Any, parameters: dict[str, str], told: dict[str, Any] | None = None):
+        """`told`: points and diagonal of one that was described before; its mesh may be empty then."""
+        self.vertices, self.faces, self.name, self.ras = surface
+        self.part, self.parameters = part, parameters
         self._made = None
-        self.points = Points(**self._described.points)
-        self.diagonal, self.guessed = self._described.diagonal, self._described.guessed
+        self._told = told is not None
+        if told is None:
+            told = {"points": self._described.points, "diagonal": self._described.diagonal, "guessed": self._described.guessed}
+        self.points, self.diagonal, self.guessed = Points(**told["points"]), told["diagonal"], told.get("guessed", np.nan)
 
     @property
     def _described(self) -> _core.Described:
         if self._made is None:
-            self._made = _core.describe(self.vertices, self.faces, self.name, _corners(self.part), self.parameters)
+            self.require_mesh()
+            made = _core.describe(self.vertices, self.faces, self.name, self.ras, _corners(self.part), self.parameters)
+            if self._told and made.diagonal != self.diagonal:
+                raise ValueError(f"a part of '{self.name}' was matched, and match.json does not tell which; describe it again with its part")
+            self._made = made
         return self._made
+
+    def require_mesh(self) -> None:
+        """Throws ValueError if the mesh is not known."""
+        if self._told and not len(self.faces):
+            raise ValueError(f"the mesh of '{self.name}' does not lie beside the match.json; give it to homolog.load")
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_made": None}

@@ -37,4 +37,4 @@ def bytes_of(value):
         return {field.name: bytes_of(getattr(value, field.name)) for field in dataclasses.fields(value)}
     if isinstance(value, (tuple, list)):
         return tuple(map(bytes_of, value))
-    return bytes_of(value.__getstate__()) if type(value).__name__ == "MatchMap" else value
+    return bytes_of(value.__getstate__()) if type(value).__name__ in ("MatchMap", "Found") else value

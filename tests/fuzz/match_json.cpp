@@ -30,10 +30,25 @@ std::string smallest() {
          R"("affine":[[1,0,0,0],[0,1,0,0],[0,0,1,0]]}}]})";
 }
 
+/// What is read as a whole can be written.
+void run_whole(const NamedText& match, const std::optional<NamedText>& parts) {
+  ReadResult read;
+  try {
+    read = read_result(match, parts);
+  } catch (const FileError& error) {
+    return require_one_line(error);
+  }
+  homolog::match_json(read.model, read.data, read.family, read.params);
+  if (!read.parts) return;
+  const Mesh mesh;
+  text_of([&](const Sink& sink) { write_parts_json({mesh, read.model}, {mesh, read.data}, *read.parts, sink); });
+}
+
 void run(const std::string& bytes) {
   const std::size_t end = bytes.find('\0');
   std::optional<NamedText> parts;
   if (end != bytes.npos) parts = {bytes.substr(end + 1), "parts"};
+  run_whole({bytes.substr(0, end), "match"}, parts);
   StoredFamily family;
   try {
     family = read_family({bytes.substr(0, end), "match"}, parts);

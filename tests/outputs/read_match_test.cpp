@@ -3,11 +3,16 @@
 
 #include <gmock/gmock.h>
 
+#include <Eigen/Geometry>
+
 #include "homolog/base/errors.h"
+#include "homolog/base/read_file.h"
 #include "homolog/outputs/match_json.h"
 #include "homolog/outputs/parts.h"
+#include "homolog/outputs/symmetry_text.h"
 #include "homolog/outputs/write_file.h"
 #include "outputs/match_fixture.h"
+#include "outputs/message_of.h"
 
 namespace homolog {
 namespace {
@@ -105,6 +110,71 @@ TEST_F(ReadFamily, SaysWhatIsWrong) {
   EXPECT_THAT(message(), HasSubstr("this is not a file of matches"));
   write_file(folder / "match.json", match_json(model, data, family, {}).substr(0, 500));
   EXPECT_THAT(message(), HasSubstr("match.json: this is not a file of matches"));
+}
+
+/// One as turned and scaled as real ones are, so that its matrix has all digits.
+struct ReadResult : ReadFamily {
+  void SetUp() override {
+    family.matches[0].similarity = {1.7, Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).toRotationMatrix(), Vec3(1. / 3, 0, 7)};
+    family.matches[0].handedness = Handedness::mirrored;
+    ReadFamily::SetUp();
+  }
+};
+
+TEST_F(ReadResult, IsWrittenAgainAsItWas) {
+  data.ras = true;
+  family.followed.push_back(fixtures::point(1, 2, 3, 4));
+  family.matches[0].pairs[1].data = 3;
+  family.matches[0].pairs[1].data_point = family.followed[0];
+  const Params params = paper_preset();
+  const std::string text = match_json(model, data, family, params);
+  const homolog::ReadResult read = read_result({text, "match.json"}, std::nullopt);
+  EXPECT_EQ(match_json(read.model, read.data, read.family, read.params), text);
+  EXPECT_EQ(read.family.matches[0].pairs[1].data_point.position, Vec3(1, 2, 3));
+  EXPECT_FALSE(read.parts);
+}
+
+TEST_F(ReadResult, HasThePartsAsTheyWere) {
+  write_parts(1);
+  const homolog::ReadResult read = read_result(folder / "match.json");
+  ASSERT_TRUE(read.parts);
+  EXPECT_EQ(text_of([&](const Sink& sink) {
+              write_parts_json({mesh, read.model}, {mesh, read.data}, *read.parts, sink);
+            }),
+            read_file(folder / "parts.json"));
+}
+
+TEST_F(ReadResult, RefusesWhatIsNotWhole) {
+  const auto message = [&](const std::string& from, const std::string& to) {
+    std::string text = match_json(model, data, family, {});
+    text.replace(text.find(from), from.size(), to);
+    return message_of([&] { read_result({text, "match.json"}, std::nullopt); });
+  };
+  EXPECT_THAT(message("\"mirrored\"", "\"turned\""), HasSubstr("the handedness \"turned\" is not known"));
+  EXPECT_THAT(message("\"data\":2", "\"data\":9"), HasSubstr("a pair names a point that is not there"));
+  EXPECT_THAT(message("\"sigma0\"", "\"omega\""), HasSubstr("omega"));
+  EXPECT_THAT(message("\"counts\"", "\"count\""), HasSubstr("this is not a file of matches"));
+  write_parts(1);
+  std::string parts = read_file(folder / "parts.json");
+  parts.replace(parts.find("0.25"), 4, "2.25");
+  EXPECT_THAT(message_of([&] {
+                read_result({match_json(model, data, family, {}), "match.json"}, NamedText{parts, "parts.json"});
+              }),
+              HasSubstr("parts.json: a weight is not from 0 to 1"));
+}
+
+TEST_F(ReadResult, OfAShapeAgainstItselfHasItsSymmetries) {
+  data = model;
+  std::vector<Symmetry> symmetries{{Plane{Vec3(1, 2, 2) / 3, 0.1}, family.matches[0].similarity, 0.01}};
+  const std::string text = symmetries_json(symmetries);
+  write_file(folder / "match.json", match_json(model, data, family, {}));
+  write_file(folder / "symmetry.json", text);
+  EXPECT_EQ(symmetries_json(read_result(folder / "match.json").symmetries.value()), text);
+  symmetries[0].mirror.reset();
+  write_file(folder / "symmetry.json", symmetries_json(symmetries));
+  EXPECT_NEAR(read_result(folder / "match.json").symmetries.value()[0].movement.scale, 1.7, 1e-12);
+  write_file(folder / "symmetry.json", symmetries_json({}));
+  EXPECT_THAT(message_of([&] { read_result(folder / "match.json"); }), HasSubstr("symmetry.json: it belongs to another match.json"));
 }
 
 }  // namespace

@@ -3,9 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/json_text.h"
+#include "homolog/outputs/symmetry_text.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -25,14 +29,25 @@ void check_format(const ordered_json& json, const char* format, const std::strin
     fail(file, fmt::format("its version is {}, but only 1 is known; use a newer homolog", shown(json["version"])));
 }
 
+Vec3 read_vector(const ordered_json& item, const std::string& file) {
+  const auto x = item.get<std::array<double, 3>>();
+  if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
+  return {x[0], x[1], x[2]};
+}
+
 std::vector<Vec3> read_vectors(const ordered_json& list, const std::string& file) {
   std::vector<Vec3> vectors;
-  for (const ordered_json& item : list) {
-    const auto x = item.get<std::array<double, 3>>();
-    if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
-    vectors.emplace_back(x[0], x[1], x[2]);
-  }
+  for (const ordered_json& item : list) vectors.push_back(read_vector(item, file));
   return vectors;
+}
+
+Mat4 read_matrix(const ordered_json& rows) {
+  Mat4 matrix;
+  for (int row = 0; row < 4; ++row) {
+    const auto values = rows.at(row).get<std::array<double, 4>>();
+    matrix.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
+  }
+  return matrix;
 }
 
 ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
@@ -50,13 +65,17 @@ ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
   return warp;
 }
 
+double read_share(const ordered_json& value, const char* what, const std::string& file) {
+  const double share = value;
+  if (!(share >= 0 && share <= 1)) fail(file, fmt::format("{} is not from 0 to 1; the file is damaged", what));
+  return share;
+}
+
 std::vector<KnownPlace> read_known(const ordered_json& pairs, const ordered_json& points, const std::string& file) {
   std::vector<KnownPlace> known;
   for (const ordered_json& pair : pairs) {
-    const auto x = points.at(pair.at("model").get<std::size_t>()).at("position").get<std::array<double, 3>>();
-    const double confidence = pair.at("confidence");
-    if (!(confidence >= 0 && confidence <= 1)) fail(file, "the confidence of a pair is not from 0 to 1; the file is damaged");
-    known.push_back({Vec3(x[0], x[1], x[2]), confidence});
+    const Vec3 position = read_vector(points.at(pair.at("model").get<std::size_t>()).at("position"), file);
+    known.push_back({position, read_share(pair.at("confidence"), "the confidence of a pair", file)});
   }
   return known;
 }
@@ -72,10 +91,7 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     match.data_from_model = read_warp(item.at("warp"), file);
     match.known = read_known(item.at("pairs"), model.at("points"), file);
     match.scale = item.at("scale");
-    for (int row = 0; row < 4; ++row) {
-      const auto values = item.at("data_from_model").at(row).get<std::array<double, 4>>();
-      match.similarity.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
-    }
+    match.similarity = read_matrix(item.at("data_from_model"));
     match.model_diagonal = model.at("diagonal");
     match.data_diagonal = data.at("diagonal");
     match.thickness = json.value("parameters", ordered_json::object()).value("thicken", 0.0);
@@ -92,12 +108,16 @@ CoveredSamples read_samples(const ordered_json& side, const ordered_json& weight
   return samples;
 }
 
-void add_parts(const ordered_json& json, const std::string& file, StoredFamily& family) {
+void check_parts(const ordered_json& json, const std::string& file, const std::string& model, const std::string& data, std::size_t count) {
   check_format(json, "homolog-parts", file);
-  const ordered_json &model = json.at("model"), &data = json.at("data"), &matches = json.at("matches");
-  if (model.at("file") != family.model.file || data.at("file") != family.data.file || matches.size() != family.matches.size()) {
+  if (json.at("model").at("file") != model || json.at("data").at("file") != data || json.at("matches").size() != count) {
     fail(file, "it belongs to another match.json than the one beside it; run 'homolog match --out' again or take it away");
   }
+}
+
+void add_parts(const ordered_json& json, const std::string& file, StoredFamily& family) {
+  check_parts(json, file, family.model.file, family.data.file, family.matches.size());
+  const ordered_json &model = json.at("model"), &data = json.at("data"), &matches = json.at("matches");
   for (std::size_t i = 0; i < matches.size(); ++i) {
     family.matches[i].model = read_samples(model, matches[i].at("model"), file);
     family.matches[i].data = read_samples(data, matches[i].at("data"), file);
@@ -107,23 +127,167 @@ void add_parts(const ordered_json& json, const std::string& file, StoredFamily& 
   family.parts_known = true;
 }
 
+SalientPoint read_point(const ordered_json& json, const std::string& file) {
+  SalientPoint point;
+  point.position = read_vector(json.at("position"), file);
+  point.radius = json.at("radius");
+  point.response = json.at("response");
+  const Vec3 direction = read_vector(json.at("direction"), file);
+  if (direction.isZero(0)) return point;
+  point.direction = direction;
+  point.direction_length = 1;  // the file tells that there is one, not how far it can be trusted
+  return point;
+}
+
+Shape read_shape(const ordered_json& json, const std::string& file) {
+  Shape shape;
+  shape.name = json.at("file");
+  shape.ras = states_ras(json);
+  shape.diagonal = json.at("diagonal");
+  for (const ordered_json& point : json.at("points")) shape.points.push_back(read_point(point, file));
+  return shape;
+}
+
+Params read_params(const ordered_json& json, const std::string& file) {
+  Params params;
+  try {
+    for (const auto& [name, value] : json.items()) {
+      set_parameter(params, name, value.is_string() ? value.get<std::string>() : value.is_structured() ? value.type_name() : value.dump());
+    }
+  } catch (const ParamError& error) {
+    fail(file, homolog::shown(error.what(), 200));
+  }
+  return params;
+}
+
+/// The factor that times `scale` is `product` to the last bit, so that what was read is written as it was.
+double factor_of(double product, double scale) {
+  const double near = product / scale;
+  for (const double factor : {std::nextafter(near, -HUGE_VAL), std::nextafter(near, HUGE_VAL)}) {
+    if (scale * near != product && scale * factor == product) return factor;
+  }
+  return near;
+}
+
+Similarity read_similarity(const ordered_json& json, const std::string& file) {
+  Similarity similarity;
+  similarity.scale = json.at("scale");
+  if (!(similarity.scale > 0)) fail(file, "a size is not positive; the file is damaged");
+  const Mat4 matrix = read_matrix(json.at("data_from_model"));
+  similarity.rotation = matrix.topLeftCorner<3, 3>().unaryExpr([&](double x) { return factor_of(x, similarity.scale); });
+  if (!similarity.rotation.allFinite()) fail(file, "a turn is not finite; the file is damaged");
+  similarity.shift = matrix.topRightCorner<3, 1>();
+  return similarity;
+}
+
+Handedness read_handedness(const ordered_json& name, const std::string& file) {
+  for (const Handedness handedness : {Handedness::proper, Handedness::mirrored, Handedness::ambiguous}) {
+    if (name == handedness_name(handedness)) return handedness;
+  }
+  fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown(name)));
+}
+
+CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const Shape& data, const std::string& file) {
+  CorrespondenceSet pairs;
+  for (const ordered_json& item : list) {
+    Correspondence pair{item.at("model"), item.at("data"), {}, {}, item.at("descriptor_distance"), 0};
+    const auto is_one_of = [](int number, const Shape& shape) { return number >= 0 && number < static_cast<int>(shape.points.size()); };
+    if (!is_one_of(pair.model, model) || !is_one_of(pair.data, data))
+      fail(file, "a pair names a point that is not there; the file is damaged");
+    pair.model_point = model.points[static_cast<std::size_t>(pair.model)];
+    pair.data_point = data.points[static_cast<std::size_t>(pair.data)];
+    pair.confidence = read_share(item.at("confidence"), "the confidence of a pair", file);
+    pairs.push_back(pair);
+  }
+  return pairs;
+}
+
+Match read_match(const ordered_json& json, const Shape& model, const Shape& data, const std::string& file) {
+  Match match;
+  match.pairs = read_pairs(json.at("pairs"), model, data, file);
+  match.data_from_model = read_warp(json.at("warp"), file);
+  match.similarity = read_similarity(json, file);
+  match.handedness = read_handedness(json.at("handedness"), file);
+  match.confidence = read_share(json.at("confidence"), "the confidence of a match", file);
+  match.bending = json.at("bending");
+  match.chamfer = json.at("chamfer");
+  match.model_coverage = json.at("model_coverage");
+  match.data_coverage = json.at("data_coverage");
+  return match;
+}
+
+ReadResult read_whole(const ordered_json& json, const std::string& file) {
+  check_format(json, "homolog-match", file);
+  ReadResult result;
+  result.params = read_params(json.at("parameters"), file);
+  result.model = read_shape(json.at("model"), file);
+  result.data = read_shape(json.at("data"), file);
+  if (!(result.model.diagonal > 0 && result.data.diagonal > 0)) fail(file, "a size is not positive; the file is damaged");
+  for (const auto& [stage, count] : json.at("counts").items()) result.family.counts.stages.emplace_back(stage, count.get<long>());
+  for (const ordered_json& match : json.at("matches")) result.family.matches.push_back(read_match(match, result.model, result.data, file));
+  return result;
+}
+
+std::vector<float> read_weights(const ordered_json& list, std::size_t count, const std::string& file) {
+  if (list.size() != count) fail(file, "there are not as many weights as vertices or samples; the file is damaged");
+  std::vector<float> weights;
+  for (const ordered_json& weight : list) weights.push_back(static_cast<float>(read_share(weight, "a weight", file)));
+  return weights;
+}
+
+void add_whole_parts(const ordered_json& json, const std::string& file, ReadResult& result) {
+  check_parts(json, file, result.model.name, result.data.name, result.family.matches.size());
+  const ordered_json &model = json.at("model"), &data = json.at("data");
+  for (const Vec3& position : read_vectors(model.at("samples"), file)) result.model.surface.push_back({position, Vec3::Zero()});
+  for (const Vec3& position : read_vectors(data.at("samples"), file)) result.data.surface.push_back({position, Vec3::Zero()});
+  const auto weights = [&](const ordered_json& of, const ordered_json& side, const Shape& shape) -> PartWeights {
+    return {read_weights(of.at("vertices"), side.at("vertices"), file), read_weights(of.at("samples"), shape.surface.size(), file)};
+  };
+  result.parts.emplace();
+  for (const ordered_json& match : json.at("matches")) {
+    result.parts->push_back({weights(match.at("model"), model, result.model), weights(match.at("data"), data, result.data)});
+  }
+}
+
+/// `match` makes of match.json what `parts` adds parts.json to.
+template <class Match, class Parts>
+auto read_both(const NamedText& match_json, const std::optional<NamedText>& parts_json, const Match& match, const Parts& parts) {
+  auto result =
+      read_json(match_json.text, match_json.file, "matches", [&](const ordered_json& json) { return match(json, match_json.file); });
+  if (parts_json) {
+    read_json(parts_json->text, parts_json->file, "covered parts",
+              [&](const ordered_json& json) { parts(json, parts_json->file, result); });
+  }
+  return result;
+}
+
+std::optional<NamedText> parts_beside(const std::filesystem::path& match_json) {
+  const std::filesystem::path parts = match_json.parent_path() / "parts.json";
+  return std::filesystem::exists(parts) ? std::optional(NamedText{read_file(parts), parts.string()}) : std::nullopt;
+}
+
 }  // namespace
 
 StoredFamily read_family(const NamedText& match_json, const std::optional<NamedText>& parts_json) {
-  StoredFamily family =
-      read_json(match_json.text, match_json.file, "matches", [&](const ordered_json& json) { return read_matches(json, match_json.file); });
-  if (parts_json) {
-    read_json(parts_json->text, parts_json->file, "covered parts",
-              [&](const ordered_json& json) { add_parts(json, parts_json->file, family); });
-  }
-  return family;
+  return read_both(match_json, parts_json, read_matches, add_parts);
+}
+
+ReadResult read_result(const NamedText& match_json, const std::optional<NamedText>& parts_json) {
+  return read_both(match_json, parts_json, read_whole, add_whole_parts);
 }
 
 StoredFamily read_family(const std::filesystem::path& match_json) {
   const NamedText match{read_file(match_json), match_json.string()};
-  const std::filesystem::path parts = match_json.parent_path() / "parts.json";
-  if (!std::filesystem::exists(parts)) return read_family(match, std::nullopt);
-  return read_family(match, NamedText{read_file(parts), parts.string()});
+  return read_family(match, parts_beside(match_json));
+}
+
+ReadResult read_result(const std::filesystem::path& match_json) {
+  const NamedText match{read_file(match_json), match_json.string()};
+  ReadResult result = read_result(match, parts_beside(match_json));
+  const std::filesystem::path symmetry = match_json.parent_path() / "symmetry.json";
+  if (result.model.name != result.data.name || !std::filesystem::exists(symmetry)) return result;  // of two shapes it is an older one
+  result.symmetries = read_symmetries(read_file(symmetry), symmetry.string(), result.family.matches);
+  return result;
 }
 
 }  // namespace homolog

@@ -83,7 +83,7 @@ std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const st
   if (read == nullptr) {
     throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
   }
-  if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave --specimen out", file));
+  if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave 'specimen' out", file));
   std::vector<MarkupPoint> points = read(read_file(path), file);
   if (ras && (read == read_markups || read == read_fcsv)) turn_to_ras(points);
   return points;

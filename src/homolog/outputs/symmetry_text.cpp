@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "homolog/outputs/json_text.h"
@@ -72,6 +73,21 @@ std::string symmetries_json(const std::vector<Symmetry>& symmetries) {
   ordered_json list = ordered_json::array();
   for (const Symmetry& symmetry : symmetries) list.push_back(to_json(symmetry));
   return json_text({{"symmetries", list}});
+}
+
+std::vector<Symmetry> read_symmetries(const std::string& text, const std::string& file, const std::vector<Match>& matches) {
+  return read_json(text, file, "symmetries", [&](const ordered_json& json) {
+    const ordered_json& list = json.at("symmetries");
+    if (list.size() != matches.size()) throw FileError(fmt::format("{}: it belongs to another match.json than the one beside it", file));
+    std::vector<Symmetry> symmetries;
+    for (std::size_t i = 0; i < matches.size(); ++i) {
+      symmetries.push_back({std::nullopt, matches[i].similarity, list[i].at("error")});
+      if (list[i].at("kind") != "mirrored") continue;
+      const auto normal = list[i].at("normal").get<std::array<double, 3>>();
+      symmetries.back().mirror = Plane{{normal[0], normal[1], normal[2]}, list[i].at("offset")};
+    }
+    return symmetries;
+  });
 }
 
 }  // namespace homolog

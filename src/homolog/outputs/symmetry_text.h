@@ -20,4 +20,7 @@ std::string symmetries_text(const std::vector<Symmetry>& symmetries);
 /// negated along the first axis before if "mirrored" is true.
 std::string symmetries_json(const std::vector<Symmetry>& symmetries);
 
+/// These from that text, for the same matches, which tell how what is repeated moves. `file` names it in errors. Throws FileError.
+std::vector<Symmetry> read_symmetries(const std::string& text, const std::string& file, const std::vector<Match>& matches);
+
 }  // namespace homolog
