@@ -10,9 +10,13 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from homolog import _core
+from homolog.tables import html_table, mean_of
 
 if TYPE_CHECKING:
     from homolog.shapes import Shape
+
+
+_HEADS = ["mean confidence", "vertices", "with a place", "torn edges", "triangles", "folded"]
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -34,6 +38,13 @@ class DenseMap:
 
     def __repr__(self) -> str:
         return f"<homolog.DenseMap: {np.count_nonzero(self.there)} of {len(self.triangle)} vertices have a place>"
+
+    def _row(self) -> list[str]:
+        counts = (len(self.triangle), np.count_nonzero(self.there), self.torn, self.triangles, self.folded)
+        return [mean_of(self.confidence, self.there), *map(str, counts)]
+
+    def _repr_html_(self) -> str:
+        return html_table(_HEADS, [self._row()])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -60,6 +71,10 @@ class Dense:
 
     def __repr__(self) -> str:
         return f"<homolog.Dense: data_from_model {self.data_from_model!r}, model_from_data {self.model_from_data!r}>"
+
+    def _repr_html_(self) -> str:
+        rows = (["data_from_model", *self.data_from_model._row()], ["model_from_data", *self.model_from_data._row()])
+        return html_table(["", *_HEADS], rows)
 
 
 def _carried(values: Any, labels: bool, giver: Shape, places: DenseMap) -> np.ndarray:
@@ -98,6 +113,10 @@ class Morph:
 
     def __repr__(self) -> str:
         return f"<homolog.Morph: {len(self.start)} vertices>"
+
+    def _repr_html_(self) -> str:
+        way = mean_of(np.linalg.norm(self.end - self.start, axis=1), slice(None))
+        return html_table(["vertices", "faces", "mean way"], [[str(len(self.start)), str(len(self.faces)), way]])
 
 
 def dense_of(fields: dict[str, Any], model: Shape, data: Shape) -> tuple[Dense, Morph]:

@@ -12,6 +12,7 @@ import numpy as np
 
 from homolog import _core
 from homolog.files import told_if_missing
+from homolog.tables import html_table, mean_of
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -32,6 +33,13 @@ class Landmarks:
     def __repr__(self) -> str:
         return f"<homolog.Landmarks: {len(self)}, {np.count_nonzero(~self.there)} of them missing>"
 
+    def _repr_html_(self) -> str:
+        rows = ([name, *(f"{x:.4g}" for x in place)] if there else [name, "", "", ""] for name, place, there in self._rows())
+        return html_table(["label", "x", "y", "z"], rows)
+
+    def _rows(self) -> zip[tuple[str, np.ndarray, bool]]:
+        return zip(self.labels, self.position, self.there)
+
 
 @dataclass(frozen=True, eq=False, repr=False)
 class Carried:
@@ -44,6 +52,11 @@ class Carried:
 
     def __repr__(self) -> str:
         return f"<homolog.Carried: {np.count_nonzero(self.there)} of {self.there.size} points there>"
+
+    def _repr_html_(self) -> str:
+        means = [mean_of(self.expected_error, self.there), mean_of(self.coverage, self.there)]
+        heads = ["points", "there", "mean expected error", "mean coverage"]
+        return html_table(heads, [[str(self.there.size), str(np.count_nonzero(self.there)), *means]])
 
 
 def read_landmarks(path: str | os.PathLike[str], *, specimen: str | int = "", ras: bool = False) -> Landmarks:

@@ -14,6 +14,7 @@ import numpy as np
 from homolog import _core
 from homolog.dense import Dense, Morph, dense_of
 from homolog.landmarks import Carried, Landmarks
+from homolog.tables import html_table, mean_of
 
 if TYPE_CHECKING:
     from homolog.shapes import Shape
@@ -30,15 +31,6 @@ _UNKNOWN = {"there": False, "coverage": 0.0}  #: of points that are missing alre
 _HEADS = ["rank", "pairs", "confidence", "handedness", "scale", "bending", "chamfer", "of model", "of data"]
 
 
-def _table(heads: list[str], rows: list[list[str]]) -> str:
-    """As notebooks show it."""
-
-    def line(cells: list[str], tag: str) -> str:
-        return "<tr>" + "".join(f"<{tag}>{cell}</{tag}>" for cell in cells) + "</tr>"
-
-    return f"<table>{line(heads, 'th')}{''.join(line(row, 'td') for row in rows)}</table>"
-
-
 @dataclass(frozen=True, eq=False, repr=False)
 class Points:
     """The n salient points of a shape, largest radius first."""
@@ -53,6 +45,10 @@ class Points:
 
     def __repr__(self) -> str:
         return f"<homolog.Points: {len(self)} salient points>"
+
+    def _repr_html_(self) -> str:
+        means = [mean_of(self.radius, slice(None)), mean_of(self.response, slice(None))]
+        return html_table(["salient points", "mean radius", "mean response"], [[str(len(self)), *means]])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -123,7 +119,7 @@ class Match:
         return f"<homolog.Match: {', '.join(f'{h} {v}' for h, v in zip(_HEADS[1:], self._row()))}>"
 
     def _repr_html_(self) -> str:
-        return _table(_HEADS[1:], [self._row()])
+        return html_table(_HEADS[1:], [self._row()])
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -162,7 +158,11 @@ class Family(Sequence[Match]):
     @overload
     def __getitem__(self, rank: slice) -> tuple[Match, ...]: ...
     def __getitem__(self, rank: int | slice) -> Match | tuple[Match, ...]:
-        return self.matches[rank]
+        try:
+            return self.matches[rank]
+        except IndexError:
+            has = f"has {len(self)}, and the best one is 0" if self.matches else "is empty, for nothing was found"
+            raise IndexError(f"there is no match {rank}: the family {has}") from None
 
     def dense(self, rank: int = 0) -> Dense:
         """For every vertex of either mesh its place on the other one, by a match; what is there can be carried over."""
@@ -251,7 +251,7 @@ class Family(Sequence[Match]):
         if not self.matches:
             return f"<p>{self!r}</p>"
         said = "".join(f"<li>{symmetry.sentence}</li>" for symmetry in self.symmetries)
-        table = _table(_HEADS, self._rows())
+        table = html_table(_HEADS, self._rows())
         doubt = f"<p>{self.doubt}</p>" if self.doubt else ""
         return table + doubt + (f"<ol>{said}</ol>" if said else "")
 

@@ -13,6 +13,7 @@ import numpy as np
 from homolog import _core
 from homolog.files import told_if_missing
 from homolog.results import Points
+from homolog.tables import html_table
 
 
 class Surface(NamedTuple):
@@ -145,3 +146,8 @@ class Shape:
     def __repr__(self) -> str:
         name = f"'{self.name}', " if self.name else ""
         return f"<homolog.Shape: {name}{len(self.faces)} faces, {len(self.points)} salient points, diagonal {self.diagonal:.4g}>"
+
+    def _repr_html_(self) -> str:
+        counts = map(str, (len(self.vertices), len(self.faces), len(self.points)))
+        heads = ["shape", "vertices", "faces", "salient points", "diagonal", "guessed"]
+        return html_table(heads, [[self.name, *counts, f"{self.diagonal:.4g}", f"{self.guessed:.2%}"]])

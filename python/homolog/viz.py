@@ -25,10 +25,8 @@ def mesh_of(shape: Shape, part: np.ndarray) -> pyvista.PolyData:
 def plotter(family: Family, rank: int = 0, **keywords: Any) -> pyvista.Plotter:
     """Model and data of a match side by side, the covered parts in colour, points that correspond with the same number.
 
-    The keywords go to `pyvista.Plotter`, such as off_screen=True. Throws ValueError for a family without that match.
+    The keywords go to `pyvista.Plotter`, such as off_screen=True. Throws IndexError for a family without that match.
     """
-    if not 0 <= rank < len(family):
-        raise ValueError(f"there is no match {rank}; the family has {len(family)}, the best is 0")
     match = family[rank]
     made = pyvista.Plotter(shape=(1, 2), **keywords)
     sides = ((family.model, match.model_part, match.model_points), (family.data, match.data_part, match.data_points))

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Every vertex on the other mesh; twins of tests/match/dense_test.cpp, carry_attributes_test.cpp, outputs/morph_test.cpp."""
 import pickle
+from dataclasses import replace
 
 import homolog
 import numpy as np
@@ -111,8 +112,14 @@ def test_what_cannot_be_carried_raises(family, tmp_path):
         family.transfer(tmp_path / "bad.glb", tmp_path / "a.glb")
     with pytest.raises(ValueError, match="not as 'a.stl'"):
         family.transfer(tmp_path / "bad.glb", "a.stl")
-    with pytest.raises(IndexError):
-        family.dense(99)
+
+
+def test_a_match_that_is_not_there_is_told(family, tmp_path):
+    for what in (family.__getitem__, family.dense, family.morph, lambda rank: family.transfer("a.ply", tmp_path / "b.ply", rank)):
+        with pytest.raises(IndexError, match=f"there is no match 99: the family has {len(family)}, and the best one is 0"):
+            what(99)
+    with pytest.raises(IndexError, match="there is no match 0: the family is empty, for nothing was found"):
+        replace(family, matches=())[0]
 
 
 def test_results_pickle_and_show_themselves(family, dense):
@@ -121,3 +128,19 @@ def test_results_pickle_and_show_themselves(family, dense):
     assert bytes_of(pickle.loads(pickle.dumps(dense)).model_from_data) == bytes_of(dense.model_from_data)
     assert repr(morph) == f"<homolog.Morph: {len(morph.start)} vertices>"
     assert "vertices have a place" in repr(dense)
+
+
+def test_notebooks_show_counts_and_means(family, dense):
+    shown = {type(value).__name__: value._repr_html_() for value in (dense, dense.data_from_model, family.morph(), family.model, family.model.points)}
+    count = len(family.model.vertices)
+    for name, text in shown.items():
+        assert text.startswith("<table>") and f"<td>{len(family.model.points) if name == 'Points' else count}</td>" in text, name
+    assert f"<td>{dense.data_from_model.confidence[dense.data_from_model.there].mean():.4g}</td>" in shown["DenseMap"]
+    assert shown["Dense"].count("<tr>") == 3
+    carried = family[0].carry_to_data([family.model.vertices[0], [99, 99, 99]])
+    assert f"<td>2</td><td>1</td><td>{carried.expected_error[0]:.4g}</td>" in carried._repr_html_()
+    nothing = family[0].carry_to_data(np.empty((0, 3)))
+    assert "<td>0</td><td>0</td><td>-</td>" in nothing._repr_html_()
+    shape = homolog.describe((family.model.vertices, family.model.faces), **COARSE)
+    shape.name = "<b>&.off"
+    assert "<td>&lt;b&gt;&amp;.off</td>" in shape._repr_html_()

@@ -164,5 +164,5 @@ def test_a_match_is_drawn():
     np.testing.assert_array_equal(viz.mesh_of(family.model, family[0].model_part)["part"], family[0].model_part)
     picture = viz.plotter(family, off_screen=True).screenshot(return_img=True)
     assert len(np.unique(picture.reshape(-1, picture.shape[-1]), axis=0)) > 100
-    with pytest.raises(ValueError, match="no match 99"):
+    with pytest.raises(IndexError, match="no match 99"):
         viz.plotter(family, 99)

@@ -19,6 +19,7 @@ def test_what_is_written_is_read_back(tmp_path, ending):
     assert again.labels == tuple(name.replace(" ", "_") if ending == "pts" else name for name in LABELS)
     assert len(again) == 3 and again.there.tolist() == [True, False, True]
     assert repr(again) == "<homolog.Landmarks: 3, 1 of them missing>"
+    assert again._repr_html_().count("<tr>") == 4 and "<td>tail</td><td></td>" in again._repr_html_()
     homolog.write_landmarks(tmp_path / f"again.{ending}", again, name="bear")
     assert (tmp_path / f"again.{ending}").read_bytes() == path.read_bytes()
 
