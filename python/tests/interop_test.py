@@ -58,7 +58,7 @@ def test_files_of_vtk(tmp_path, points, name, binary):
 
 
 def test_files_of_vtk_compressed_inside_and_appended(tmp_path):
-    vtk = pytest.importorskip("vtkmodules.vtkIOXML")
+    vtk = pytest.importorskip("vtkmodules.vtkIOXML", exc_type=ImportError)
     vertices, faces = bear_arrays()
     mesh = pyvista.PolyData(vertices, np.insert(faces, 0, 3, axis=1).ravel())
     for mode in ("SetDataModeToAppended", "SetDataModeToBinary"):
@@ -112,7 +112,7 @@ def test_vertices_and_triangles(points):
 
 
 def test_open3d(points):  # not of the test extra, for it brings half a gigabyte: pip install open3d-cpu
-    open3d = pytest.importorskip("open3d")
+    open3d = pytest.importorskip("open3d", exc_type=ImportError)  # some systems lack a library of it, such as libusb
     vertices, faces = bear_arrays()
     places, triangles = open3d.utility.Vector3dVector(vertices), open3d.utility.Vector3iVector(faces)
     model = open3d.geometry.TriangleMesh(places, triangles)
