@@ -14,7 +14,7 @@ Bad shapes and parameters raise ValueError, files that cannot be read OSError.
 from __future__ import annotations
 
 from copy import copy
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from homolog import _core
 from homolog._core import __version__
@@ -23,6 +23,11 @@ from homolog.landmarks import Carried, Landmarks, read_landmarks, write_landmark
 from homolog.results import Family, Match, Points, Symmetry, ThinPlateSpline, family_of
 from homolog.shapes import Shape, surface_of, texts_of
 from homolog.stored import load
+
+if TYPE_CHECKING:
+    from typing_extensions import Unpack
+
+    from homolog.parameters import Parameters
 
 __all__ = [
     "Carried", "Dense", "DenseMap", "Family", "Landmarks", "Match", "Morph", "Points", "Shape", "Symmetry", "ThinPlateSpline", "__version__",
@@ -38,7 +43,7 @@ def describe(
     max_bytes: int | None = None,
     max_triangles: int | None = None,
     max_voxels: int | None = None,
-    **parameters: Any,
+    **parameters: Unpack[Parameters],
 ) -> Shape:
     """Describes a shape, or a part of it, so that many calls can use it. A file beyond the limits raises OSError."""
     given = {"bytes": max_bytes, "triangles": max_triangles, "voxels": max_voxels}
@@ -57,7 +62,7 @@ def _described(shape: Any, part: Any, label: int | None, parameters: dict[str, s
     return shape
 
 
-def _with_those_of(shapes: tuple[Any, ...], parameters: dict[str, Any]) -> dict[str, str]:
+def _with_those_of(shapes: tuple[Any, ...], parameters: Parameters) -> dict[str, str]:
     """The parameters given, on top of those that the described shapes have."""
     texts: dict[str, str] = {}
     for shape in shapes:
@@ -66,7 +71,7 @@ def _with_those_of(shapes: tuple[Any, ...], parameters: dict[str, Any]) -> dict[
     return {**texts, **texts_of(parameters)}
 
 
-def points(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Any) -> Points:
+def points(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Unpack[Parameters]) -> Points:
     """The salient points of a shape. Those of a described one are known already, so that it takes no parameters."""
     if isinstance(shape, Shape) and parameters:
         raise ValueError("a described shape has its points already; give the parameters to homolog.describe")
@@ -81,7 +86,7 @@ def match(
     data_part: Any = None,
     model_label: int | None = None,
     data_label: int | None = None,
-    **parameters: Any,
+    **parameters: Unpack[Parameters],
 ) -> Family:
     """Every place where the model, or a part of it, occurs in the data, best first."""
     texts = _with_those_of((model, data), parameters)
@@ -89,7 +94,7 @@ def match(
     return family_of(_core.match(model._described, data._described, texts), copy(model), copy(data))
 
 
-def symmetry(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Any) -> Family:
+def symmetry(shape: Any, *, part: Any = None, label: int | None = None, **parameters: Unpack[Parameters]) -> Family:
     """A shape against itself: its symmetries and repeated parts, the identity left out. What each one says stands in `symmetries`."""
     texts = _with_those_of((shape,), parameters)
     shape = _described(shape, part, label, texts)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import difflib
 import os
 import warnings
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -89,7 +90,7 @@ def _corners(part: Any) -> np.ndarray | None:
     return corners
 
 
-def texts_of(parameters: dict[str, Any]) -> dict[str, str]:
+def texts_of(parameters: Mapping[str, Any]) -> dict[str, str]:
     """Parameters by their name in the table. Throws ValueError for an unknown name."""
     known = [row["name"] for row in _core.parameters()] + ["preset", "threads"]
     texts = {name.replace("_", "-"): str(value) for name, value in parameters.items()}
@@ -119,7 +120,7 @@ class Shape:
         """`told`: points and diagonal of one that was described before; its mesh may be empty then."""
         self.vertices, self.faces, self.name, self.ras = surface
         self.part, self.parameters = part, parameters
-        self._made = None
+        self._made: _core.Described | None = None
         self._told = told is not None
         if told is None:
             told = {"points": self._described.points, "diagonal": self._described.diagonal, "guessed": self._described.guessed}

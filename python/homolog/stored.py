@@ -49,7 +49,7 @@ def _with_parts(family: Family, known: bool, file: Path) -> Family:
     """The meshes have the vertices that were matched; without a parts.json nothing is known of these."""
     sides = (("model", family.model), ("data", family.data))
     if not known:
-        unknown = {f"{side}_part": np.full(len(shape.vertices), np.nan, np.float32) for side, shape in sides}
+        unknown: dict[str, Any] = {f"{side}_part": np.full(len(shape.vertices), np.nan, np.float32) for side, shape in sides}
         return replace(family, matches=tuple(replace(match, **unknown) for match in family.matches))
     for side, shape in sides:
         had = {len(getattr(match, f"{side}_part")) for match in family.matches}
