@@ -6,11 +6,13 @@ from pathlib import Path
 
 import homolog
 import numpy as np
+import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "tests" / "cli"))
 import bear  # noqa: E402
 import mesh_files  # noqa: E402
 
+ROOT = Path(__file__).parents[2]
 COARSE = {"resolution": 64, "sigma0": 0.8}
 ROTATION, SCALE, SHIFT = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]]), 2.5, np.array([10, -3, 1])
 
@@ -21,6 +23,12 @@ def bear_arrays(arm=(1.2, 1.9, 0.6)):
     n, m = int(words[1]), int(words[2])
     vertices = np.array(words[4 : 4 + 3 * n], float).reshape(-1, 3)
     return vertices, np.array(words[4 + 3 * n : 4 + 3 * n + 4 * m], int).reshape(-1, 4)[:, 1:]
+
+
+def program_path():
+    """The program, installed with the package or built beside it; skips the test where it is neither."""
+    found = [path for path in (Path(sys.executable).with_name("homolog"), ROOT / "build/release/cli/homolog") if path.exists()]
+    return found[0] if found else pytest.skip("the program is not built")
 
 
 def moved(vertices):

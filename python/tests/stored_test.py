@@ -5,14 +5,12 @@ import json
 import pickle
 import shutil
 import subprocess
-import sys
 from dataclasses import replace
-from pathlib import Path
 
 import homolog
 import numpy as np
 import pytest
-from shapes import COARSE, bear_arrays, bytes_of, moved
+from shapes import COARSE, bear_arrays, bytes_of, moved, program_path
 
 FLAGS = ["--resolution", "64", "--sigma0", "0.8", "--quiet"]  # COARSE
 FILES = ["match.json", "parts.json", "report.html", "model.part.ply", "data.part.ply", "model.landmarks.csv", "data.landmarks.csv",
@@ -50,10 +48,7 @@ def loaded(folder):
 
 @pytest.fixture(scope="module")
 def program():
-    beside = Path(sys.executable).with_name("homolog")
-    built = Path(__file__).parents[2] / "build/release/cli/homolog"
-    found = [path for path in (beside, built) if path.exists()]
-    return found[0] if found else pytest.skip("the program is not built")
+    return program_path()
 
 
 def assert_same(one, other, names):
