@@ -49,7 +49,9 @@ python_package() {
   local pip=(build/venv/bin/pip -q --disable-pip-version-check)
   python3 -m venv build/venv && "${pip[@]}" install scikit-build-core nanobind &&
     CXX=${CXX:-c++} "${pip[@]}" install --no-build-isolation --check-build-dependencies '.[test]' &&
-    build/venv/bin/python -m pytest -q -p no:cacheprovider
+    build/venv/bin/python -m pytest -q -p no:cacheprovider && rm -rf build/python_wheel &&
+    CXX=${CXX:-c++} "${pip[@]}" wheel --no-deps --no-build-isolation -w build/python_wheel . &&
+    build/venv/bin/python -B tests/package/wheel_test.py build/python_wheel
 }
 
 export CTEST_PARALLEL_LEVEL=${CTEST_PARALLEL_LEVEL:-$(nproc)}
