@@ -98,6 +98,17 @@ def draw_points(folder):
     panels.save("salient_points.png")
 
 
+def draw_symmetry(folder):
+    mesh = off(folder / "bear.off")
+    found = json.loads((folder / "self/symmetry.json").read_text())["symmetries"][0]
+    normal = np.array(found["normal"])
+    middle = np.array(mesh.center) + (found["offset"] - normal @ mesh.center) * normal
+    plane = pyvista.Plane(center=middle, direction=normal, i_size=mesh.length * 0.75, j_size=mesh.length * 0.75)
+    panels = Panels(1)
+    panels.panel((mesh, SKIN), (plane, {"color": "teal", "opacity": 0.4}), view={"vector": (0.8, 0.25, 1), "viewup": (0, 1, 0)}, zoom=1.1)
+    panels.save("symmetry.png")
+
+
 def draw_bones(folder):
     names = ["femur", "slender", "bent", "left", "broken"]
     panels = Panels(len(names), height=360)
@@ -185,6 +196,7 @@ def main():
     draw_dense_and_morph(bears)
     draw_refinement(bears)
     draw_points(RUNS / "salient_points")
+    draw_symmetry(RUNS / "symmetry")
     draw_bones(RUNS / "bones")
     draw_assembly(RUNS / "assembly")
     draw_uvs(RUNS / "uvs")
