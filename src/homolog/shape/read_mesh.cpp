@@ -121,6 +121,9 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
   if (error || std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first != folder.end()) {
     throw FileError(fmt::format("{}: it names the file '{}' outside its folder; put the two together", file.string(), shown(name)));
   }
+  if (!fs::exists(path, error)) {
+    throw FileError(fmt::format("{}: it names the file '{}', which is not there; put the two together", file.string(), shown(name)));
+  }
   return read_file(path, most);
 }
 
