@@ -19,7 +19,7 @@ namespace {
 struct DenseOptions {
   StoredMatchOptions match;
   std::string model, data, out, threads = "0";
-  bool quiet = false;
+  bool quiet = false, timing = false;
 };
 
 constexpr const char* kExamples = R"(Examples:
@@ -57,7 +57,7 @@ void write_maps(const ResultFolder& folder, const StoredFamily& family, int matc
 int run_dense(const DenseOptions& options) {
   const ResultFolder folder(options.out);
   const ThreadLimit limit(parse_threads(options.threads));
-  Console console(options.quiet, false);
+  Console console(options.quiet, options.timing);
   console.stage("reading the match");
   const std::optional<StoredFamily> found = read_matches(options.match);
   if (!found) return kNothingFound;
@@ -66,10 +66,13 @@ int run_dense(const DenseOptions& options) {
   const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
   const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
+  console.watch().lap("reading match and meshes", model.triangles.size() + data.triangles.size(), "triangles");
   console.stage("laying the meshes onto each other");
   const DenseMaps maps = dense_maps(match, model, data);
+  console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
   console.stage("writing results");
   write_maps(folder, family, options.match.number, model, data, maps);
+  console.watch().lap("writing results", model.vertices.size() + data.vertices.size(), "vertices");
   console.clear();
   print_result(told("data_from_model", family.model.file, family.data.file, maps.data_from_model) +
                told("model_from_data", family.data.file, family.model.file, maps.model_from_data));
@@ -89,6 +92,7 @@ Verb add_dense(CLI::App& program) {
   verb->add_option("--data", options->data, "The data that was matched; else the one beside MATCH.")->type_name("FILE");
   add_threads_option(*verb, options->threads);
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
+  add_timing_option(*verb, options->timing);
   verb->footer(kExamples);
   return {verb, [options] { return run_dense(*options); }};
 }

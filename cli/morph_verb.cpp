@@ -23,7 +23,7 @@ struct MorphOptions {
   StoredMatchOptions match;
   std::string model, data, out, threads = "0";
   int frames = 0;
-  bool coloured = false, quiet = false;
+  bool coloured = false, quiet = false, timing = false;
 };
 
 constexpr int most_frames = 1000;
@@ -64,7 +64,7 @@ void check_options(const MorphOptions& options) {
 int run_morph(const MorphOptions& options) {
   check_options(options);
   const ThreadLimit limit(parse_threads(options.threads));
-  Console console(options.quiet, false);
+  Console console(options.quiet, options.timing);
   console.stage("reading the match");
   const std::optional<StoredFamily> found = read_matches(options.match);
   if (!found) return kNothingFound;
@@ -73,9 +73,12 @@ int run_morph(const MorphOptions& options) {
   const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
   const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
   console.stage("laying the model onto the data");
+  console.watch().lap("reading match and meshes", model.triangles.size() + data.triangles.size(), "triangles");
   const DenseMaps maps = dense_maps(match, model, data);
+  console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
   console.stage("writing results");
   write_files(morph_files(make_morph(match, model, maps), options));
+  console.watch().lap("writing results", static_cast<std::size_t>(1 + options.frames), "files");
   console.clear();
   print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there\n", family.model.file, family.data.file,
                            maps.data_from_model.placed, model.vertices.size()));
@@ -95,6 +98,7 @@ Verb add_morph(CLI::App& program) {
   verb->add_option("--data", options->data, "The data that was matched; else the one beside MATCH.")->type_name("FILE");
   add_threads_option(*verb, options->threads);
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
+  add_timing_option(*verb, options->timing);
   verb->footer(kExamples);
   return {verb, [options] { return run_morph(*options); }};
 }

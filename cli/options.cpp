@@ -45,6 +45,8 @@ CLI::Option* add_out_option(CLI::App& verb, std::string& out) {
   return verb.add_option("--out", out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
 }
 
+void add_timing_option(CLI::App& verb, bool& timing) { verb.add_flag("--timing", timing, "Tell on stderr what each stage took and held."); }
+
 void add_threads_option(CLI::App& verb, std::string& threads) {
   verb.add_option("--threads", threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");
 }
@@ -60,7 +62,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
   add_out_option(verb, options.out);
   verb.add_flag("--json", options.json, "Print the result as JSON instead of a table.");
   verb.add_flag("--quiet", options.quiet, "No progress and no warnings.");
-  verb.add_flag("--timing", options.timing, "Tell on stderr what each stage took and held.");
+  add_timing_option(verb, options.timing);
   add_threads_option(verb, options.threads);
   add_limit_options(verb, options.limits);
   add_preset_option(verb, options.parameters);

@@ -30,6 +30,7 @@ struct CommonOptions {
 void add_preset_option(CLI::App& verb, ParameterOptions& options);
 void add_common_options(CLI::App& verb, CommonOptions& options);
 CLI::Option* add_out_option(CLI::App& verb, std::string& out);
+void add_timing_option(CLI::App& verb, bool& timing);
 void add_threads_option(CLI::App& verb, std::string& threads);
 /// An option such as --part; an empty text is refused, for a forgotten shell variable does not mean the whole.
 void add_part_option(CLI::App& verb, const char* name, std::optional<Box>& part);

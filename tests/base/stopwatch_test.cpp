@@ -2,9 +2,12 @@
 #include "homolog/base/stopwatch.h"
 
 #include <gmock/gmock.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <cstring>
+#include <ctime>
 #include <memory>
 #include <thread>
 
@@ -24,6 +27,21 @@ TEST(Stopwatch, LapsFollowEachOtherWithoutGapOrOverlap) {
   EXPECT_GE(watch.stages()[0].milliseconds, 20);
   EXPECT_LT(watch.stages()[0].cpu_milliseconds, 15);  // sleeping costs no work
   EXPECT_LE(watch.stages()[0].milliseconds + watch.stages()[1].milliseconds, all);
+}
+
+TEST(Stopwatch, TheWorkOfAChildCounts) {
+  Stopwatch watch;
+  const pid_t child = fork();
+  if (child == 0) {
+    while (std::clock() < CLOCKS_PER_SEC / 20) {  // its clock begins with it
+    }
+    _exit(0);
+  }
+  ASSERT_EQ(waitpid(child, nullptr, 0), child);
+  watch.lap("child", 1, "children");
+  watch.lap("nothing", 0, "children");
+  EXPECT_GE(watch.stages()[0].cpu_milliseconds, 45);
+  EXPECT_LT(watch.stages()[1].cpu_milliseconds, 15);  // and counts once
 }
 
 TEST(Stopwatch, NobodyNeedsToWatch) { lap(nullptr, "unseen", 1, "things"); }

@@ -215,11 +215,18 @@ class Results(Program):
         self.assertEqual(first.stdout, last.stdout)
 
     def test_timing_is_a_table_on_stderr(self):
+        self.assertEqual(self.run_it("match", "bear.off", "bear_bis.off", "--out", "out", *COARSE).returncode, 0)
+        stored = ("reading match and meshes", "dense maps", "writing results", "all")
         for words, stages in (
             (("points", "bear.off"), ("reading bear.off", "voxels", "salient points", "descriptors", "body", "writing results", "all")),
             (("match", "bear.off", "bear_bis.off"), ("reading bear_bis.off", "seeds", "growth", "chamfer", "writing results", "all")),
+            (("symmetry", "bear.off"), ("reading bear.off", "seeds", "growth", "chamfer", "writing results", "all")),
+            (("dense", "out/match.json", "--out", "dense"), stored),
+            (("morph", "out/match.json", "--out", "morph.glb"), stored),
         ):
-            plain, timed = self.run_it(*words, *COARSE), self.run_it(*words, "--timing", "--quiet", *COARSE)
+            coarse = () if words[1] == "out/match.json" else COARSE
+            plain, timed = self.run_it(*words, *coarse), self.run_it(*words, "--timing", "--quiet", *coarse)
+            self.assertEqual((plain.returncode, timed.returncode), (0, 0), timed.stderr)
             self.assertEqual(timed.stdout, plain.stdout)
             for stage in stages:
                 self.assertRegex(timed.stderr, rf"(?m)^{stage} +[0-9.]+ +[0-9.]+ +[0-9.]+")

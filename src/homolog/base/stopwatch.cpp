@@ -5,6 +5,7 @@
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <ctime>
 
 namespace homolog {
 namespace {
@@ -13,18 +14,25 @@ std::string table_row(const std::string& name, double milliseconds, double cpu_m
   return fmt::format("{:28} {:10.1f} {:10.1f} {:10.1f}", name, milliseconds, cpu_milliseconds, static_cast<double>(peak_bytes) / (1 << 20));
 }
 
+/// Scenes are read in a child (shape/read_in_child.h), whose time counts once it has ended.
+double cpu_milliseconds() {
+  rusage children{};
+  getrusage(RUSAGE_CHILDREN, &children);
+  const auto of = [](const timeval& time) { return 1e3 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_usec); };
+  return 1e3 * static_cast<double>(std::clock()) / CLOCKS_PER_SEC + of(children.ru_utime) + of(children.ru_stime);
+}
+
 }  // namespace
 
-Stopwatch::Stopwatch() : wall_(std::chrono::steady_clock::now()), cpu_(std::clock()) {}
+Stopwatch::Stopwatch() : wall_(std::chrono::steady_clock::now()), cpu_milliseconds_(cpu_milliseconds()) {}
 
 void Stopwatch::lap(const std::string& name, std::size_t count, const std::string& counted) {
   const auto wall = std::chrono::steady_clock::now();
-  const std::clock_t cpu = std::clock();
+  const double cpu = cpu_milliseconds();
   const double milliseconds = std::chrono::duration<double, std::milli>(wall - wall_).count();
-  const double cpu_milliseconds = 1e3 * static_cast<double>(cpu - cpu_) / CLOCKS_PER_SEC;
-  stages_.push_back({name, milliseconds, cpu_milliseconds, peak_memory(), count, counted});
+  stages_.push_back({name, milliseconds, cpu - cpu_milliseconds_, peak_memory(), count, counted});
   wall_ = wall;
-  cpu_ = cpu;
+  cpu_milliseconds_ = cpu;
 }
 
 std::size_t peak_memory() {

@@ -4,7 +4,6 @@
 
 #include <chrono>
 #include <cstddef>
-#include <ctime>
 #include <string>
 #include <vector>
 
@@ -14,7 +13,7 @@ namespace homolog {
 struct Stage {
   std::string name;
   double milliseconds = 0;      ///< by the clock on the wall
-  double cpu_milliseconds = 0;  ///< of all threads of the process together
+  double cpu_milliseconds = 0;  ///< of all threads of the process together, and of its children that have ended
   std::size_t peak_bytes = 0;   ///< the most memory that the process has held so far
   std::size_t count = 0;
   std::string counted;  ///< of what: "voxels"
@@ -31,7 +30,7 @@ class Stopwatch {
 
  private:
   std::chrono::steady_clock::time_point wall_;
-  std::clock_t cpu_;
+  double cpu_milliseconds_;
   std::vector<Stage> stages_;
 };
 
