@@ -17,6 +17,7 @@ namespace homolog::bench {
 namespace {
 
 constexpr int runs = 7;
+constexpr double later_octaves = 1.0 / 8 + 1.0 / 64 + 1.0 / 512;  // voxels, of the first octave's
 
 double best_seconds(const std::function<void()>& work) {
   double best = 1e9;
@@ -57,8 +58,15 @@ MachineFloor measure_floor() {
 }
 
 double scale_space_floor_ms(const MachineFloor& floor, double voxels) {
-  const double later_octaves = 1.0 / 8 + 1.0 / 64 + 1.0 / 512;
   return 1e-6 * 2 * (327 + 288 * later_octaves) * voxels / floor.fma_gflop_per_s;
+}
+
+double copy_floor_ms(const MachineFloor& floor, const std::string& stage, double voxels) {
+  const double values = stage == "voxels"           ? 1
+                        : stage == "salient points" ? 2 * 5 * (1 + later_octaves)
+                        : stage == "descriptors"    ? 1 + 2 * later_octaves
+                                                    : 0;
+  return 1e-6 * sizeof(float) * values * voxels / floor.copy_gb_per_s;
 }
 
 }  // namespace homolog::bench
