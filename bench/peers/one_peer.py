@@ -76,39 +76,11 @@ def probreg_bcpd(case):
     return {"points": model.tolist(), "places": back(found.transform(y)).tolist()}
 
 
-def pyramid(grid, blur):
-    """4 octaves of 5 Gaussians, each from the octave's first level; differences, no search for minima."""
-    volume = np.zeros((grid,) * 3, np.float32)
-    volume[grid // 4:3 * grid // 4, grid // 4:3 * grid // 4, grid // 4:3 * grid // 4] = 1
-    for _ in range(4):
-        levels = [volume]
-        for level in range(1, 5):
-            before, now = 1.6 * 2 ** ((level - 1) / 2), 1.6 * 2 ** (level / 2)
-            levels.append(blur(levels[-1], (now * now - before * before) ** 0.5))
-            levels[-2] = levels[-1] - levels[-2]
-        volume = np.ascontiguousarray(levels[-1][::2, ::2, ::2])
-
-
-def scipy_blur(volume, sigma):
-    from scipy.ndimage import gaussian_filter
-    return gaussian_filter(volume, sigma)
-
-
-def itk_blur(volume, sigma):
-    import itk
-    image = itk.image_view_from_array(volume)
-    return itk.array_from_image(itk.smoothing_recursive_gaussian_image_filter(image, sigma=sigma))
-
-
-method = sys.argv[1]
-if method.endswith("-pyramid"):
-    pyramid(int(sys.argv[2]), scipy_blur if method.startswith("scipy") else itk_blur)
+method, one = sys.argv[1], json.loads(sys.argv[2])
+if method == "pycpd-deformable":
+    print(json.dumps(pycpd_deformable(one)))
+elif method == "probreg-bcpd":
+    print(json.dumps(probreg_bcpd(one)))
 else:
-    one = json.loads(sys.argv[2])
-    if method == "pycpd-deformable":
-        print(json.dumps(pycpd_deformable(one)))
-    elif method == "probreg-bcpd":
-        print(json.dumps(probreg_bcpd(one)))
-    else:
-        matrix = open3d_sweep(one) if method == "open3d-sweep" else open3d_match(one, method.endswith("scaling"))[0]
-        print(json.dumps({"matrix": np.asarray(matrix).tolist()}))
+    matrix = open3d_sweep(one) if method == "open3d-sweep" else open3d_match(one, method.endswith("scaling"))[0]
+    print(json.dumps({"matrix": np.asarray(matrix).tolist()}))

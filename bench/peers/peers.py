@@ -4,10 +4,12 @@
 
 bench/peers/peers.py PROGRAM MESH... [--poses MODEL DATA] [--venv DIR]     PROGRAM is the built homolog
 
-The peers come by pip into a virtual environment (build/peers; made at the first run). Every case is one process per method: the model
-against itself turned at random, times 1 and 1.7, whole or the lower 45 % of its longest side alone; and with --poses, two meshes whose vertices
-correspond by number. Rigid peers get 20 000 points of the whole with exact normals and the part's points without a cap.
-right: the vertices of the model land within 5 % of the data's diagonal of their true places, root mean square. share: of vertices within 5 %.
+The peers come by pip into a virtual environment (build/peers; made at the first run); what cannot be installed is told and left out. Every
+case is one process per method, all methods one after the other and that three times (--repeats); the least CPU time is told, and the largest
+peak. Shapes: the model against itself turned at random, times 1 and 1.7, whole or the lower 45 % of its longest side alone; and with --poses,
+two meshes whose vertices correspond by number. Rigid peers get 20 000 points of the whole with exact normals and the part's points without
+a cap. right: the vertices of the model land within 5 % of the data's diagonal of their true places, root mean square. share: of vertices
+within 5 %. Volumes (--grids): the blur of a scale space alone, and points at 27 balls of all sizes; homolog gets these as a mesh.
 """
 import argparse
 import json
@@ -19,11 +21,15 @@ import tempfile
 import time
 
 HERE = os.path.dirname(os.path.abspath(__file__))
-PACKAGES = ["numpy", "scipy", "open3d", "itk-filtering", "pycpd", "probreg"]
+PACKAGES = ["numpy", "scipy", "scikit-image", "open3d", "itk-filtering", "pycpd", "probreg"]
 PCL = ["pcl_features", "pcl_filters", "pcl_kdtree", "pcl_recognition"]  # by Debian: libpcl-dev
 RIGID = ["homolog", "pcl-shot-gc", "open3d-ransac", "open3d-ransac-scaling", "open3d-sweep"]
 DENSE = ["homolog", "open3d-ransac", "pycpd-deformable", "probreg-bcpd"]
 PYRAMIDS = ["scipy-pyramid", "itk-pyramid"]
+POINTS = ["homolog", "skimage-blob-dog"]
+PACKAGE_OF = {"pcl": "libpcl-dev", "open3d": "open3d", "pycpd": "pycpd", "probreg": "probreg", "scipy": "scipy", "itk": "itk-filtering",
+              "skimage": "scikit-image"}  # by the first word of a method
+BYTES_PER_VOXEL = {"scipy-pyramid": 42, "itk-pyramid": 42, "skimage-blob-dog": 100}  # at their peak, about
 
 
 def environment(folder):
@@ -60,60 +66,102 @@ def timed(words, limit):
         return out.read() if child.returncode in (0, 1) else None, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
-def run_case(python, program, pcl, method, case, folder, repeats, limit):
-    """The least CPU time of some runs, and the verdict of the last."""
-    cpu, peak, verdict = float("inf"), 0, "failed"
-    for _ in range(repeats):
-        if method == "homolog":
-            part = ["--model-part", case["part"]] if case.get("part") else []
-            words = [program, "match", case["model"], case["data"], "--json", "--quiet", "--threads", "1", *part]
-        elif method == "pcl-shot-gc":
-            words = [pcl, case["model_cloud"] + ".txt", case["data_cloud"] + ".txt"]
-        else:
-            words = [python, os.path.join(HERE, "one_peer.py"), method, json.dumps(case)]
-        text, seconds, mib = timed(words, limit)
-        cpu, peak = min(cpu, seconds), max(peak, mib)
-        if text is None:
-            break
-        answer = os.path.join(folder, "answer.json")
-        with open(answer, "w") as file:
-            file.write(text or "{}")
-        judged = subprocess.run([python, os.path.join(HERE, "judge.py"), json.dumps(case), answer], capture_output=True, text=True)
-        verdict = judged.stdout.strip() or "failed"
-        if seconds > limit / 4:
-            break
-    return cpu, peak, verdict
+def run_in_turns(name, commands, judge, options):
+    """A row for each method: the least CPU time and the largest peak of all turns, and the verdict of the last."""
+    rows = {method: [float("inf"), 0, ""] for method in commands}
+    waiting = dict(commands)
+    for _ in range(options.repeats):
+        for method, words in list(waiting.items()):
+            text, seconds, mib = timed(words, options.limit)
+            cpu, peak, _ = rows[method]
+            rows[method] = [min(cpu, seconds), max(peak, mib), f"failed, or took {options.limit} s" if text is None else judge(text)]
+            if text is None or seconds > options.limit / 4:  # once is enough
+                del waiting[method]
+    for method, (cpu, peak, verdict) in rows.items():
+        print(f"{name:44} {method:24} {cpu:8.2f} {peak:9.0f}  {verdict}", flush=True)
+
+
+def judged(words, text, folder):
+    """What a judging program says of an answer; it gets the answer's file as its last word."""
+    answer = os.path.join(folder, "answer.json")
+    with open(answer, "w") as file:
+        file.write(text or "{}")
+    return subprocess.run([*words, answer], capture_output=True, text=True).stdout.strip() or "failed"
+
+
+def run_shapes(python, pcl, installed, folder, options):
+    made = subprocess.run([python, os.path.join(HERE, "cases.py"), folder, json.dumps(options.meshes), json.dumps(options.poses)],
+                          check=True, capture_output=True, text=True).stdout
+    for case in json.loads(made):
+        part = ["--model-part", case["part"]] if case.get("part") else []
+        commands = {}
+        for method in filter(installed, DENSE if case["kind"] == "poses" else RIGID):
+            commands[method] = [python, os.path.join(HERE, "one_peer.py"), method, json.dumps(case)]
+        commands["homolog"] = [options.program, "match", case["model"], case["data"], "--json", "--quiet", "--threads", "1", *part]
+        if "pcl-shot-gc" in commands:
+            commands["pcl-shot-gc"] = [pcl, case["model_cloud"] + ".txt", case["data_cloud"] + ".txt"]
+        judge = [python, os.path.join(HERE, "judge.py"), json.dumps(case)]
+        run_in_turns(case["name"], commands, lambda text: judged(judge, text, folder), options)
+
+
+def free_bytes():
+    with open("/proc/meminfo") as file:
+        return 1024 * next(int(line.split()[1]) for line in file if line.startswith("MemAvailable"))
+
+
+def run_volumes(python, installed, grid, folder, options):
+    def fits(name, method):
+        needed, free = BYTES_PER_VOXEL.get(method, 0) * grid ** 3, free_bytes()
+        if needed > free:
+            print(f"{name:44} {method:24} left out: it takes about {needed / 2**30:.0f} GiB, and {free / 2**30:.0f} are free", flush=True)
+        return needed <= free
+
+    program = os.path.join(HERE, "volume_peers.py")
+    for name, methods in ((f"pyramid {grid}^3, 4 octaves of 5 Gaussians", PYRAMIDS), (f"27 balls in {grid}^3, their points", POINTS)):
+        commands = {method: [python, program, method, str(grid)] for method in methods if installed(method) and fits(name, method)}
+        if "homolog" in commands:
+            balls = os.path.join(folder, "balls.off")
+            subprocess.run([python, program, "balls", str(grid), balls], check=True)
+            commands["homolog"] = [options.program, "points", balls, "--resolution", str(grid), "--json", "--quiet", "--threads", "1"]
+        judge = [python, program, "judge", str(grid)]
+        run_in_turns(name, commands, lambda text: judged(judge, text, folder) if methods is POINTS else "", options)
+
+
+def parsed_options():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("program")
+    parser.add_argument("meshes", nargs="*")
+    parser.add_argument("--poses", nargs=2, action="append", default=[], metavar=("MODEL", "DATA"))
+    parser.add_argument("--grids", default="128,256,512", help="sides of the volumes; empty for none")
+    parser.add_argument("--venv", default="build/peers")
+    parser.add_argument("--repeats", type=int, default=3)
+    parser.add_argument("--limit", type=int, default=180, help="CPU seconds a process may take")
+    return parser.parse_args()
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("program")
-    parser.add_argument("meshes", nargs="+")
-    parser.add_argument("--poses", nargs=2, action="append", default=[], metavar=("MODEL", "DATA"))
-    parser.add_argument("--venv", default="build/peers")
-    parser.add_argument("--repeats", type=int, default=1)
-    parser.add_argument("--limit", type=int, default=180, help="CPU seconds a process may take")
-    options = parser.parse_args()
+    options = parsed_options()
     python, missing = environment(options.venv)
     pcl = built_pcl(options.venv)
-    print("not installed:", ", ".join(missing + ([] if pcl else ["libpcl-dev (by apt)"])) or "nothing")
-    print("not to be had by apt or pip: SIFT3D, TEASER++, BCPD's own program (probreg's stands for it)")
+    missing += [] if pcl else ["libpcl-dev"]
+    print("not installed:", ", ".join(missing) or "nothing")
+    print("not to be had by apt or pip: SIFT3D (scikit-image's blob_dog stands for it), TEASER++, BCPD's own program (probreg's stands for it)")
     print(f"{'case':44} {'method':24} {'CPU s':>8} {'peak MiB':>9}  verdict", flush=True)
-    threads = {name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS")}
-    os.environ.update(threads)
+
+    def installed(method):
+        return PACKAGE_OF.get(method.split("-")[0]) not in missing
+
+    os.environ.update({name: "1" for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "ITK_GLOBAL_DEFAULT_NUMBER_OF_THREADS")})
     with tempfile.TemporaryDirectory() as folder:
-        cases = json.loads(subprocess.run([python, os.path.join(HERE, "cases.py"), folder, json.dumps(options.meshes), json.dumps(options.poses)],
-                                          check=True, capture_output=True, text=True).stdout)
-        for case in cases:
-            for method in DENSE if case["kind"] == "poses" else RIGID:
-                if method == "pcl-shot-gc" and not pcl:
-                    continue
-                cpu, peak, verdict = run_case(python, options.program, pcl, method, case, folder, options.repeats, options.limit)
-                print(f"{case['name']:44} {method:24} {cpu:8.2f} {peak:9.0f}  {verdict}", flush=True)
-    for grid in (128, 256):
-        for method in PYRAMIDS:
-            text, cpu, peak = timed([python, os.path.join(HERE, "one_peer.py"), method, str(grid)], options.limit)
-            print(f"{f'pyramid {grid}^3, 4 octaves of 5 Gaussians':44} {method:24} {cpu:8.2f} {peak:9.0f}  {'' if text is not None else 'failed'}")
+        if "numpy" in missing:
+            print("nothing can be run without numpy")
+            return
+        if "open3d" in missing or "scipy" in missing:
+            print("no shapes are run: the cases are made by open3d and judged by scipy")
+        else:
+            run_shapes(python, pcl, installed, folder, options)
+        for grid in [int(word) for word in options.grids.split(",") if word]:
+            run_volumes(python, installed, grid, folder, options)
 
 
 if __name__ == "__main__":
