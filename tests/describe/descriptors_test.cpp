@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <complex>
 
 #include "fixtures/solids.h"
 
@@ -119,6 +120,60 @@ TEST(Descriptors, DistanceIsASumOrEuclideanAndZeroToItself) {
   EXPECT_DOUBLE_EQ(descriptor_distance(a, b, DescriptorKind::free), 7);
   EXPECT_DOUBLE_EQ(descriptor_distance(a, b, DescriptorKind::axial), 5);
   for (const auto kind : {DescriptorKind::free, DescriptorKind::axial}) EXPECT_EQ(descriptor_distance(a, a, kind), 0);
+}
+
+// A field without edges, by its equation, and the voxels that sample it.
+double field(const Vec3& x) {
+  return 0.5 + 0.2 * std::sin(0.04 * x.x() + 0.3) + 0.3 * std::cos(0.05 * x.y() - 0.025 * x.z()) * std::sin(0.035 * x.z());
+}
+
+// c_lm of one shell (Sec. 5.2): the integral of the field's mean over the shell times conj Y_lm (eq. 4), by small steps.
+std::complex<double> coefficient(int l, int m, const SalientPoint& point, const DescriptorParams& params, int shell) {
+  constexpr int latitudes = 60, longitudes = 120, depths = 12;
+  const Vec3 x = point.direction.unitOrthogonal(), y = point.direction.cross(x);
+  std::complex<double> sum = 0;
+  for (int i = 0; i < latitudes; ++i) {
+    const double theta = M_PI * (i + 0.5) / latitudes, harmonic = std::sph_legendre(l, m, theta);
+    for (int j = 0; j < longitudes; ++j) {
+      const double azimuth = 2 * M_PI * j / longitudes;
+      const Vec3 way = std::sin(theta) * (std::cos(azimuth) * x + std::sin(azimuth) * y) + std::cos(theta) * point.direction;
+      double mean = 0;
+      for (int k = 0; k < depths; ++k) {
+        const double share = (shell + (k + 0.5) / depths) / params.shell_count;
+        mean += field(point.position + point.radius * params.inner * std::pow(params.outer / params.inner, share) * way) / depths;
+      }
+      sum += mean * harmonic * std::polar(1.0, -m * azimuth) * std::sin(theta);
+    }
+  }
+  return sum * (M_PI / latitudes) * (2 * M_PI / longitudes);
+}
+
+TEST(Sec52, DescriptorIsTheProjectionOfItsEquation) {
+  Interior interior{{{81, 81, 81}, Vec3::Constant(-40), 1, Mat3::Identity()}, {}};
+  for (int k = 0; k < 81; ++k) {
+    for (int j = 0; j < 81; ++j) {
+      for (int i = 0; i < 81; ++i) interior.values.push_back(static_cast<float>(field(Vec3(i, j, k) - Vec3::Constant(40))));
+    }
+  }
+  DescriptorParams axial;  // shells from 2 to 32 voxels, the outer ones seen in voxels four times as wide
+  axial.kind = DescriptorKind::axial;
+  axial.degree = 4;
+  DescriptorParams free = axial;
+  free.kind = DescriptorKind::free;
+  const SalientPoint point = point_at({1.3, -2.1, 0.4}, 4);
+  const Descriptor by_order = compute_descriptors(interior, {point}, axial)[0], by_degree = compute_descriptors(interior, {point}, free)[0];
+  std::size_t next = 0;
+  for (int shell = 0; shell < axial.shell_count; ++shell) {
+    for (int l = 0; l <= axial.degree; ++l) {
+      double square = 0;
+      for (int m = 0; m <= l; ++m) {
+        const double part = (m > 0 ? 2 : 1) * std::norm(coefficient(l, m, point, axial, shell));
+        square += part;
+        EXPECT_NEAR(by_order[next++], std::sqrt(part), 4e-3) << shell << ' ' << l << ' ' << m;
+      }
+      EXPECT_NEAR(by_degree[shell * (axial.degree + 1) + l], std::sqrt(square), 4e-3) << shell << ' ' << l;
+    }
+  }
 }
 
 TEST(Descriptors, NoPointsNoDescriptors) { EXPECT_TRUE(compute_descriptors(rasterize(limbs(), grid), {}, {}).empty()); }

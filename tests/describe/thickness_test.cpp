@@ -30,5 +30,19 @@ TEST(Thickness, OfAPlateIsThatBetweenItsFaces) {
   }
 }
 
+// Where the solid ends, by steps a fiftieth of a voxel wide; thickness_at() looks at every half voxel.
+TEST(Thickness, IsThatOfAFineMarch) {
+  const Shape& shape = described_hand();
+  const double voxel = shape.interior.frame.spacing;
+  int apart = 0;
+  for (std::size_t i = 0; i < shape.surface.size(); ++i) {
+    double way = 1.5 * voxel;
+    while (sample(shape.interior, shape.surface[i].position - way * shape.surface[i].normal) > 0.5f) way += 0.02 * voxel;
+    EXPECT_GT(shape.thickness[i], way - 0.03 * voxel) << i;  // never ends before the solid does
+    apart += shape.thickness[i] > way + 0.5 * voxel;
+  }
+  EXPECT_LT(apart, 0.01 * static_cast<double>(shape.surface.size()));  // ways that leave the solid for less than half a voxel
+}
+
 }  // namespace
 }  // namespace homolog

@@ -35,10 +35,8 @@ inline Mesh torus(double ring_radius, double tube_radius, std::uint32_t rings, s
   return mesh;
 }
 
-/// An octahedron whose triangles are split into four `levels` times, on the unit sphere.
-inline Mesh sphere(int levels) {
-  Mesh mesh{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
-            {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}};
+/// Triangles of the unit sphere split into four `levels` times.
+inline Mesh split(Mesh mesh, int levels) {
   for (int level = 0; level < levels; ++level) {
     Mesh finer{mesh.vertices, {}};
     for (const auto& [a, b, c] : mesh.triangles) {
@@ -50,6 +48,34 @@ inline Mesh sphere(int levels) {
     }
     mesh = finer;
   }
+  return mesh;
+}
+
+/// An octahedron, split.
+inline Mesh sphere(int levels) {
+  return split({{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}},
+                {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}}},
+               levels);
+}
+
+/// An icosahedron on the unit sphere: all angles are 60 degrees, and acute when it is split.
+inline Mesh icosahedron() {
+  Mesh mesh;
+  const double golden = (1 + std::sqrt(5.0)) / 2;
+  for (const double a : {-1.0, 1.0}) {
+    for (const double b : {-golden, golden}) mesh.vertices.insert(mesh.vertices.end(), {{0, a, b}, {a, b, 0}, {b, 0, a}});
+  }
+  const auto joined = [&](std::uint32_t i, std::uint32_t j) { return (mesh.vertices[i] - mesh.vertices[j]).norm() < 2.1; };
+  for (std::uint32_t i = 0; i < 12; ++i) {
+    for (std::uint32_t j = i + 1; j < 12; ++j) {
+      for (std::uint32_t k = j + 1; k < 12; ++k) {
+        if (!joined(i, j) || !joined(j, k) || !joined(k, i)) continue;
+        const bool outwards = mesh.vertices[i].dot(mesh.vertices[j].cross(mesh.vertices[k])) > 0;
+        mesh.triangles.push_back({i, outwards ? j : k, outwards ? k : j});
+      }
+    }
+  }
+  for (Vec3& vertex : mesh.vertices) vertex.normalize();
   return mesh;
 }
 
