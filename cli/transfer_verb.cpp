@@ -2,7 +2,6 @@
 // homolog transfer MATCH: points and meshes carried from the model to the data, or back, by a match found before.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -11,12 +10,10 @@
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/carried.h"
-#include "homolog/outputs/landmark_editor.h"
 #include "homolog/outputs/misplaced.h"
-#include "homolog/outputs/morphologika.h"
 #include "homolog/outputs/read_points.h"
-#include "homolog/outputs/tps.h"
 #include "homolog/outputs/write_file.h"
+#include "homolog/outputs/write_points.h"
 #include "homolog/shape/read_mesh.h"
 #include "homolog/shape/text.h"
 #include "stored_match.h"
@@ -73,12 +70,11 @@ void check_options(const TransferOptions& options) {
   if (given != 1) throw UsageError("transfer needs either --points or --mesh or --attributes");
   if (options.points.empty() && !options.specimen.empty()) throw UsageError("--specimen goes with --points");
   check_options(options.attributes, options.out);
-  const std::string ending = lower_extension(options.out);
-  const std::string endings[] = {".csv", ".json", ".tps", ".pts", ".txt"};
-  if (!options.points.empty() && std::find(std::begin(endings), std::end(endings), ending) == std::end(endings)) {
-    throw UsageError(fmt::format("points are written as .csv, .mrk.json, .tps, .pts or .txt, not as '{}'", options.out));
+  if (!options.points.empty() && !writes_points(options.out)) {
+    throw UsageError(fmt::format("points are written as {}, not as '{}'", writable_points, options.out));
   }
-  if (!options.mesh.empty() && ending != ".ply") throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
+  if (!options.mesh.empty() && lower_extension(options.out) != ".ply")
+    throw UsageError(fmt::format("a mesh is written as .ply, not as '{}'", options.out));
 }
 
 /// The markups of the file that points are from, if it is one of these and they are written as such.
@@ -95,16 +91,6 @@ std::vector<MarkupList> lists_of(const TransferOptions& options, Console& consol
     break;
   }
   return kept ? lists : std::vector<MarkupList>{};
-}
-
-std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::string& ending, const StoredShape& shape,
-                        const std::vector<MarkupList>& lists) {
-  if (ending == ".csv") return carried_csv(landmarks);
-  const std::vector<MarkupPoint> places = carried_places(landmarks);
-  const Specimen specimen{std::filesystem::path(shape.file).stem().string(), places};
-  if (ending == ".tps") return tps_text(specimen);
-  if (ending == ".txt") return morphologika_text(specimen);
-  return ending == ".pts" ? pts_text(places) : markups_text(places, shape.ras, lists);
 }
 
 std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
@@ -161,7 +147,8 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
   warn_of_far_points(points, options.points, shape, console);
   const auto landmarks = carry_landmarks(match, points, direction);
-  Carried result{points_text(landmarks, lower_extension(options.out), to, lists_of(options, console)), 0, landmarks.size()};
+  const std::string specimen = std::filesystem::path(to.file).stem().string();
+  Carried result{points_text(landmarks, options.out, specimen, to.ras, lists_of(options, console)), 0, landmarks.size()};
   for (const CarriedLandmark& landmark : landmarks) {
     result.there += landmark.point && landmark.point->is_there();
     result.missing += !landmark.point;

@@ -261,7 +261,7 @@ class Transfer(Program):
         match, points = "out/match.json", ("--points", "points.csv")
         self.expect_message(2, "--out is required", "transfer", match, *points)
         self.expect_message(2, "either --points or --mesh", "transfer", match, "--out", "a.csv")
-        self.expect_message(2, ".csv, .mrk.json, .tps, .pts or .txt", "transfer", match, *points, "--out", "a.ply")
+        self.expect_message(2, ".csv, .mrk.json, .tps, .pts (Landmark Editor) or .txt", "transfer", match, *points, "--out", "a.ply")
         self.expect_message(2, "written as .ply", "transfer", match, "--mesh", "bear.off", "--out", "a.obj")
         self.expect_message(2, "--match is 99", "transfer", match, *points, "--match", "99", "--out", "a.csv")
         self.expect_message(3, "out: this is a directory", "transfer", "out", *points, "--out", "a.csv")

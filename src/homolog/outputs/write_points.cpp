@@ -31,18 +31,19 @@ bool writes_points(const std::filesystem::path& path) {
   return std::find(endings.begin(), endings.end(), lower_extension(path)) != endings.end();
 }
 
-std::string points_text(const std::vector<MarkupPoint>& points, const std::filesystem::path& path, const std::string& specimen, bool ras) {
+std::string points_text(const std::vector<MarkupPoint>& points, const std::filesystem::path& path, const std::string& specimen, bool ras,
+                        const std::vector<MarkupList>& lists) {
   if (!writes_points(path)) throw ParamError(fmt::format("points are written as {}, not as '{}'", writable_points, path.string()));
   const std::string ending = lower_extension(path);
   if (ending == ".csv") return points_csv(points);
-  if (ending == ".json") return markups_text(points, ras);
+  if (ending == ".json") return markups_text(points, ras, lists);
   if (ending == ".pts") return pts_text(points);
   return ending == ".tps" ? tps_text({specimen, points}) : morphologika_text({specimen, points});
 }
 
 std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::filesystem::path& path, const std::string& specimen,
-                        bool ras) {
-  return lower_extension(path) == ".csv" ? carried_csv(landmarks) : points_text(carried_places(landmarks), path, specimen, ras);
+                        bool ras, const std::vector<MarkupList>& lists) {
+  return lower_extension(path) == ".csv" ? carried_csv(landmarks) : points_text(carried_places(landmarks), path, specimen, ras, lists);
 }
 
 }  // namespace homolog

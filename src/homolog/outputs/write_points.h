@@ -16,11 +16,12 @@ inline constexpr const char* writable_points = ".csv, .mrk.json, .tps, .pts (Lan
 /// Whether points are written to a file with this ending.
 bool writes_points(const std::filesystem::path& path);
 
-/// What stands in a file with the ending of `path`. `specimen`: its name, for formats that have one; `ras`: what a .mrk.json states. A .csv
-/// has the columns label, x, y and z, of carried points besides what carried_csv() tells. Throws ParamError for another ending.
+/// What stands in a file with the ending of `path`. `specimen`: its name, for formats that have one; `ras` and `lists`: what a .mrk.json
+/// states (markups_text()). A .csv has the columns label, x, y and z, of carried points besides what carried_csv() tells. Throws ParamError
+/// for another ending.
 std::string points_text(const std::vector<MarkupPoint>& points, const std::filesystem::path& path, const std::string& specimen,
-                        bool ras = false);
+                        bool ras = false, const std::vector<MarkupList>& lists = {});
 std::string points_text(const std::vector<CarriedLandmark>& landmarks, const std::filesystem::path& path, const std::string& specimen,
-                        bool ras = false);
+                        bool ras = false, const std::vector<MarkupList>& lists = {});
 
 }  // namespace homolog
