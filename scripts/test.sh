@@ -2,7 +2,8 @@
 # Installs, builds and runs all tests, then the quick checks of scripts/check.sh; ends with a line per step.
 #   scripts/test.sh        the release build: unit, command line, report in a browser, installed package, Python, documentation; then
 #                          the unit tests with AddressSanitizer and UndefinedBehaviorSanitizer
-#   scripts/test.sh --all  besides: the unit tests with ThreadSanitizer, which must see a planted race, and clang-tidy
+#   scripts/test.sh --all  besides: the program with AddressSanitizer and UndefinedBehaviorSanitizer, and under valgrind; the unit tests with
+#                          ThreadSanitizer, which must see a planted race; and clang-tidy
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -36,6 +37,18 @@ configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=O
 sanitized_tests() {
   configure_and_build dev --target unit_tests && ASAN_OPTIONS=detect_stack_use_after_return=1 ctest --preset dev -R '^unit'
 }
+# Without the tests of limits of memory, which leave themselves out.
+# shellcheck disable=SC2317
+sanitized_program() {
+  configure_and_build dev --target homolog_cli example_01_match example_02_stages example_03_match_stages &&
+    ctest --preset dev -R '^(cli|faults|symmetry|transfer)$'
+}
+# shellcheck disable=SC2317
+valgrind_match() {
+  local folder=build/valgrind
+  mkdir -p "$folder" && python3 -B -c 'import sys; sys.path.insert(0, "tests/cli"); import bear; bear.write_all(sys.argv[1])' "$folder" &&
+    valgrind -q --error-exitcode=9 build/release/cli/homolog match "$folder/bear.off" "$folder/bear_bis.off" --resolution 32 --threads 2
+}
 # shellcheck disable=SC2317
 threaded_tests() {
   local tests=build/tsan/tests/unit_tests race=(--gtest_also_run_disabled_tests --gtest_filter='*PlantedRace')
@@ -64,6 +77,8 @@ step python python_package || true
 step docs scripts/build_site.sh || true
 step sanitize sanitized_tests || true
 if [[ $all == yes ]]; then
+  step program sanitized_program || true
+  step valgrind valgrind_match || true
   step threads threaded_tests || true
   step checks scripts/check.sh || true
 else

@@ -12,7 +12,7 @@ import subprocess
 import unittest
 
 import mesh_files
-from program import COARSE, EXAMPLES, PROGRAM, VERSION, Program, main
+from program import COARSE, EXAMPLES, PROGRAM, VERSION, Program, limits_memory, main
 
 VERBS = ("match", "symmetry", "points", "transfer", "params")
 MATCH_FILES = {"match.json", "parts.json", "model.part.ply", "data.part.ply", "model.landmarks.csv", "data.landmarks.csv", "model.mrk.json", "data.mrk.json", "report.html"}
@@ -117,6 +117,7 @@ class Failures(Program):
                 done = subprocess.run([PROGRAM, "points", *words, *COARSE], cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=full)
                 self.assertEqual(done.returncode, code, words)
 
+    @limits_memory
     def test_too_little_memory_is_one_sentence(self):
         def little_memory():
             resource.setrlimit(resource.RLIMIT_AS, (400 << 20, 400 << 20))

@@ -15,7 +15,7 @@ import unittest
 import bear
 import fbx_files
 import mesh_files
-from program import COARSE, PROGRAM, Program, main
+from program import COARSE, PROGRAM, Program, limits_memory, main
 
 NOBODY = 65534
 
@@ -112,7 +112,6 @@ class Limits(Program):
             ("bytes, more than the 1000 that are read", "--max-bytes", "1000"),
             ("triangles are more than the 12 that are read", "--max-triangles", "12"),
             ("salient points, more than the 3 that are matched; a higher --threshold", "--max-points", "3"),
-            ("not enough memory for these shapes; a lower --resolution needs less", "--max-memory", "200", "--resolution", "1000"),
         ):
             self.expect_message(3, part, "points", "bear.off", *COARSE, *words)
         for option in ("--max-bytes", "--max-triangles", "--max-points"):
@@ -120,11 +119,18 @@ class Limits(Program):
         self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
         self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
 
+    @limits_memory
     def test_memory_that_ends_while_lists_are_destroyed(self):
         with open(self.path("lists.gltf"), "w") as file:
             file.write('{"asset":{"version":"2.0"},"x":[' + "[]," * 2_000_000 + "0]}")
         self.expect_message(3, "not enough memory", "points", "lists.gltf", "--max-memory", "100")
 
+    @limits_memory
+    def test_too_little_memory_is_refused(self):
+        self.expect_message(3, "not enough memory for these shapes; a lower --resolution needs less", "points", "bear.off", "--resolution", "1000",
+                            "--max-memory", "200")  # fmt: skip
+
+    @limits_memory
     def test_enough_is_enough(self):
         words = ("--max-bytes", "10000000", "--max-triangles", "100000", "--max-points", "1000", "--max-memory", "2000")
         self.assertEqual(self.run_it("points", "bear.off", *COARSE, *words).stdout, self.run_it("points", "bear.off", *COARSE).stdout)
