@@ -110,13 +110,6 @@ class Failures(Program):
         with open("/dev/full", "w") as full:
             self.assertEqual(self.run_it("params", stdout=full).returncode, 4)
 
-    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
-    def test_full_standard_error_costs_no_result(self):
-        with open("/dev/full", "w") as full:
-            for code, words in ((0, ("open.off", "--timing")), (3, ("nothing.off",))):
-                done = subprocess.run([PROGRAM, "points", *words, *COARSE], cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=full)
-                self.assertEqual(done.returncode, code, words)
-
     @limits_memory
     def test_too_little_memory_is_one_sentence(self):
         def little_memory():

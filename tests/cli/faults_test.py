@@ -137,6 +137,13 @@ class Limits(Program):
 
 
 class Surroundings(Program):
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_full_standard_error_costs_no_result(self):
+        with open("/dev/full", "w") as full:
+            for code, words in ((0, ("open.off", "--timing")), (3, ("nothing.off",))):
+                done = subprocess.run([PROGRAM, "points", *words, *COARSE], cwd=self.folder.name, stdout=subprocess.DEVNULL, stderr=full)
+                self.assertEqual(done.returncode, code, words)
+
     def on_a_disk_of(self, kilobytes, script):
         """Runs a shell in which small/ is a file system of that size: no root is needed, only namespaces."""
         with open(self.path("script"), "w") as file:
