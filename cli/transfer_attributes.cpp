@@ -52,6 +52,7 @@ int transfer_attributes(const AttributeTransfer& transfer, const std::string& on
   console.stage("laying the meshes onto each other");
   const std::string name = onto.empty() ? to.file : onto;
   const TransferredAttributes carried = transfer_attributes(transfer, match, {receiver, name}, {from.file, to.file});
+  console.watch().lap("laying, carrying and writing", receiver.vertices.size(), "vertices");
   for (const std::string& loss : carried.losses) console.warn(loss);
   console.clear();
   const std::size_t count = receiver.vertices.size();

@@ -16,6 +16,7 @@
 #include "homolog/outputs/write_points.h"
 #include "homolog/shape/read_mesh.h"
 #include "homolog/shape/text.h"
+#include "options.h"
 #include "stored_match.h"
 #include "transfer_attributes.h"
 #include "verbs.h"
@@ -27,7 +28,7 @@ struct TransferOptions {
   StoredMatchOptions match;
   std::string points, specimen, mesh, out;
   AttributeOptions attributes;
-  bool inverse = false, quiet = false;
+  bool inverse = false, quiet = false, timing = false;
 };
 
 constexpr const char* kExamples = R"(Examples:
@@ -158,13 +159,14 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
 
 int run_transfer(const TransferOptions& options) {
   check_options(options);
-  Console console(options.quiet, false);
+  Console console(options.quiet, options.timing);
   console.stage("reading the match");
   const std::optional<StoredFamily> found = read_matches(options.match);
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
   const MatchMap& match = chosen_match(family, options.match);
+  console.watch().lap("reading the match", family.matches.size(), "matches");
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
   if (const AttributeOptions& given = options.attributes; !given.from.empty()) {
     return transfer_attributes({given.from, options.out, direction, given.labels, given.fill, options.match.limits}, given.onto,
@@ -174,7 +176,9 @@ int run_transfer(const TransferOptions& options) {
   const StoredShape& to = options.inverse ? family.model : family.data;
   console.stage("carrying");
   const Carried carried = carry_file(match, options, from, to, direction, console);
+  console.watch().lap("carrying", carried.all, options.mesh.empty() ? "points" : "vertices");
   write_file(options.out, carried.text);
+  console.watch().lap("writing results", carried.text.size(), "bytes");
   console.clear();
   print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}\n", carried.there, carried.all,
                            options.mesh.empty() ? "points" : "vertices", from.file, to.file, carried.all - carried.there - carried.missing,
@@ -202,6 +206,7 @@ Verb add_transfer(CLI::App& program) {
       ->required();
   verb->add_flag("--inverse", options->inverse, "Carry from the data to the model.");
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
+  add_timing_option(*verb, options->timing);
   verb->footer(kExamples);
   return {verb, [options] { return run_transfer(*options); }};
 }

@@ -217,6 +217,7 @@ class Results(Program):
             (("symmetry", "bear.off"), ("reading bear.off", "seeds", "growth", "chamfer", "writing results", "all")),
             (("dense", "out/match.json", "--out", "dense"), stored),
             (("morph", "out/match.json", "--out", "morph.glb"), stored),
+            (("transfer", "out/match.json", "--points", "out/model.landmarks.csv", "--out", "carried.csv"), ("reading the match", "carrying", "all")),
         ):
             coarse = () if words[1] == "out/match.json" else COARSE
             plain, timed = self.run_it(*words, *coarse), self.run_it(*words, "--timing", "--quiet", *coarse)
