@@ -78,7 +78,7 @@ int run_morph(const MorphOptions& options) {
   console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
   console.stage("writing results");
   write_files(morph_files(make_morph(match, model, maps), options));
-  console.watch().lap("writing results", static_cast<std::size_t>(1 + options.frames), "files");
+  console.watch().lap("writing results", 1 + static_cast<std::size_t>(options.frames), "files");
   console.clear();
   print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there\n", family.model.file, family.data.file,
                            maps.data_from_model.placed, model.vertices.size()));
