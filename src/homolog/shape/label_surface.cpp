@@ -61,15 +61,19 @@ long long chosen(const std::set<long long>& labels, const Label& label, const st
 /// Is this the background, or the shape with all around it? It fills the border of the volume, and more than it is a block.
 bool is_background(const RawVolume& volume, const std::function<bool(std::size_t)>& inside) {
   const auto [nx, ny, nz] = volume.size;
-  std::size_t border = 0, on_border = 0, all = 0;
-  for (std::size_t i = 0; i < volume.voxels(); ++i) {
-    const auto n = static_cast<std::int64_t>(i), x = n % nx, y = n / nx % ny, z = n / nx / ny;
-    const bool at_border = x == 0 || y == 0 || z == 0 || x == nx - 1 || y == ny - 1 || z == nz - 1, is_inside = inside(i);
-    border += at_border;
-    on_border += at_border && is_inside;
-    all += is_inside;
+  std::size_t border = 0, on_border = 0;
+  for (std::int64_t z = 0; z < nz; ++z) {
+    for (std::int64_t y = 0; y < ny; ++y) {
+      const bool whole_row = y == 0 || z == 0 || y == ny - 1 || z == nz - 1;
+      const std::int64_t step = whole_row || nx == 1 ? 1 : nx - 1;
+      for (std::int64_t x = 0; x < nx; x += step, ++border) on_border += inside(static_cast<std::size_t>((z * ny + y) * nx + x));
+    }
   }
-  return all < volume.voxels() && static_cast<double>(on_border) > border_share * static_cast<double>(border);
+  if (static_cast<double>(on_border) <= border_share * static_cast<double>(border)) return false;
+  for (std::size_t i = 0; i < volume.voxels(); ++i) {
+    if (!inside(i)) return true;
+  }
+  return false;
 }
 
 struct Crop {
