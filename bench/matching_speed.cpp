@@ -69,18 +69,7 @@ void match_whole(const Reading& read_model, const Reading& read_data, const Para
 
 void measure_whole_match(const std::string& name, const Reading& model, const Reading& data, const MatchingOptions& options,
                          const MachineFloor& floor) {
-  Growth growth;
-  for (const int grid : options.grids) {
-    for (const int threads : options.threads) {
-      Params params;
-      params.voxel.resolution = grid;
-      params.threads = threads;
-      const auto stages = by_name(best_stages(options.repeats, [&](Stopwatch& watch) { match_whole(model, data, params, watch); }));
-      print_speed_rows({name, grid, threads}, stages, floor);
-      if (threads == 1) add_times(growth, grid, stages);
-    }
-  }
-  if (const std::string told = told_exponents(growth, "N"); !told.empty()) fmt::print("{:14} CPU time grows as{}\n", name, told);
+  measure_on_grids(name, options, floor, [&](const Params& params, Stopwatch& watch) { match_whole(model, data, params, watch); });
 }
 
 Reading reading(const std::string& file) {
@@ -109,6 +98,22 @@ void print_stages(const std::vector<Stage>& stages) {
 }
 
 }  // namespace
+
+void measure_on_grids(const std::string& name, const MatchingOptions& options, const MachineFloor& floor,
+                      const std::function<void(const Params&, Stopwatch&)>& work) {
+  Growth growth;
+  for (const int grid : options.grids) {
+    for (const int threads : options.threads) {
+      Params params;
+      params.voxel.resolution = grid;
+      params.threads = threads;
+      const auto stages = by_name(best_stages(options.repeats, [&](Stopwatch& watch) { work(params, watch); }));
+      print_speed_rows({name, grid, threads}, stages, floor);
+      if (threads == 1) add_times(growth, grid, stages);
+    }
+  }
+  if (const std::string told = told_exponents(growth, "N"); !told.empty()) fmt::print("{:14} CPU time grows as{}\n", name, told);
+}
 
 void measure_whole_matches(const MatchingOptions& options, const MachineFloor& floor) {
   const std::pair<const char*, fixtures::Solid> solids[] = {{"hand", fixtures::hand()}, {"biplane", fixtures::biplane()}};

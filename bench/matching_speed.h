@@ -2,10 +2,13 @@
 // What matching takes: the whole of `homolog match` on two shapes, and how it grows with points and matches.
 #pragma once
 
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "homolog/base/parameters.h"
+#include "homolog/base/stopwatch.h"
 #include "machine_floor.h"
 
 namespace homolog::bench {
@@ -15,6 +18,10 @@ struct MatchingOptions {
   std::vector<std::pair<std::string, std::string>> pairs;  ///< files of model and data
   int repeats;
 };
+
+/// The stages of some work by every grid and number of threads, and how they grow with the grid.
+void measure_on_grids(const std::string& name, const MatchingOptions& options, const MachineFloor& floor,
+                      const std::function<void(const Params&, Stopwatch&)>& work);
 
 /// All that `homolog match --json` does but starting and printing, on shapes made in code of about 10 000 vertices, each against a turned,
 /// larger and bent copy of itself, and on the pairs.

@@ -14,7 +14,6 @@
 #include "machine_floor.h"
 #include "matching_speed.h"
 #include "speed_rows.h"
-#include "stage_times.h"
 
 namespace homolog::bench {
 namespace {
@@ -41,18 +40,8 @@ std::vector<NamedMesh> meshes_of(const Options& options) {
 }
 
 void measure_shape(const NamedMesh& shape, const MatchingOptions& options, const MachineFloor& floor) {
-  Growth growth;
-  for (const int grid : options.grids) {
-    for (const int threads : options.threads) {
-      Params params;
-      params.voxel.resolution = grid;
-      params.threads = threads;
-      const auto stages = best_stages(options.repeats, [&](Stopwatch& watch) { describe_shape(shape.mesh, params, {}, &watch); });
-      print_speed_rows({shape.name, grid, threads}, stages, floor);
-      if (threads == 1) add_times(growth, grid, stages);
-    }
-  }
-  if (const std::string told = told_exponents(growth, "N"); !told.empty()) fmt::print("{:14} CPU time grows as{}\n", shape.name, told);
+  measure_on_grids(shape.name, options, floor,
+                   [&](const Params& params, Stopwatch& watch) { describe_shape(shape.mesh, params, {}, &watch); });
 }
 
 void add_options(CLI::App& app, Options& options) {
