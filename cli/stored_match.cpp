@@ -35,13 +35,18 @@ const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOption
   return family.matches[static_cast<std::size_t>(options.number - 1)];
 }
 
-Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, const MatchMap& match,
-                  Direction direction) {
+namespace {
+
+std::filesystem::path path_beside(const StoredMatchOptions& options, bool is_model) {
+  return std::filesystem::path(options.file).parent_path() / (is_model ? "model.part.ply" : "data.part.ply");
+}
+
+}  // namespace
+
+Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction) {
   const bool is_model = direction == Direction::data_from_model;
   const StoredShape& shape = is_model ? family.model : family.data;
-  const std::filesystem::path path =
-      given.empty() ? std::filesystem::path(options.file).parent_path() / (is_model ? "model.part.ply" : "data.part.ply")
-                    : std::filesystem::path(given);
+  const std::filesystem::path path = given.empty() ? path_beside(options, is_model) : std::filesystem::path(given);
   if (given.empty() && !std::filesystem::exists(path)) {
     throw FileError(fmt::format("{}: this mesh does not stand beside the match; name the meshes that were matched by --model and --data",
                                 path.string()));
@@ -51,7 +56,16 @@ Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, c
     throw FileError(fmt::format("{}: it has {} vertices, but the mesh that was matched had {}; name that one", path.string(),
                                 mesh.vertices.size(), shape.vertices));
   }
-  if (const auto wrong = misplaced(mesh, path.string(), carried_from(match, direction, shape.file))) throw FileError(wrong->sentence);
+  return mesh;
+}
+
+Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, const MatchMap& match,
+                  Direction direction) {
+  const bool is_model = direction == Direction::data_from_model;
+  Mesh mesh = stored_mesh(options, given, family, direction);
+  const std::string& name = is_model ? family.model.file : family.data.file;
+  const std::string file = given.empty() ? path_beside(options, is_model).string() : given;
+  if (const auto wrong = misplaced(mesh, file, carried_from(match, direction, name))) throw FileError(wrong->sentence);
   return mesh;
 }
 

@@ -28,7 +28,10 @@ std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
 
 /// The mesh that was matched and that `direction` carries from: `given` if that is not empty, else the file in the folder of the match.
-/// Throws FileError, also for a mesh that has not as many vertices as the one that was matched, or lies elsewhere (misplaced.h).
+/// Throws FileError, also for a mesh that has not as many vertices as the one that was matched.
+Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction);
+
+/// The same, refused if it lies elsewhere (misplaced.h).
 Mesh matched_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, const MatchMap& match,
                   Direction direction);
 

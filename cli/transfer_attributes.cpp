@@ -47,7 +47,7 @@ int transfer_attributes(const AttributeTransfer& transfer, const std::string& on
   const bool forwards = transfer.direction == Direction::data_from_model;
   const StoredShape &from = forwards ? family.model : family.data, &to = forwards ? family.data : family.model;
   const Direction back = forwards ? Direction::model_from_data : Direction::data_from_model;
-  const Mesh receiver = onto.empty() ? matched_mesh(options, "", family, match, back) : read_mesh(onto, options.limits);
+  const Mesh receiver = onto.empty() ? stored_mesh(options, "", family, back) : read_mesh(onto, options.limits);
   if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
   console.stage("laying the meshes onto each other");
   const std::string name = onto.empty() ? to.file : onto;
