@@ -72,6 +72,15 @@ TEST(CarryTexturing, KeepsEveryTriangleOnOneIsland) {
   EXPECT_GT(crossing, 50u) << "or the test tests nothing";
 }
 
+TEST(CarryTexturing, KeepsAllThatAGltfSaysOfItsMaterials) {
+  AttributedMesh giver = textured_ball(halves);
+  giver.texturing.gltf = R"({"materials": [{"doubleSided": false, "normalTexture": {"index": 0}}]})";
+  giver.texturing.images = {{"normals.png", "PNG"}};
+  const Texturing texturing = carry_texturing(giver, bent, places_on_ball());
+  EXPECT_EQ(texturing.gltf, giver.texturing.gltf);
+  EXPECT_EQ(texturing.images[0].bytes, "PNG");
+}
+
 TEST(CarryTexturing, DoesNotStretchATriangleAcrossTheCutOfAnIsland) {
   const Texturing texturing = carry_texturing(textured_ball(around), bent, places_on_ball());
   std::size_t cut = 0;

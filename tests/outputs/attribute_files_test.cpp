@@ -35,6 +35,12 @@ TEST(AttributeLosses, TellWhatAFormatCannotHold) {
   EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"),
               ElementsAre("weights, joints, shape keys and animations are written to a .glb or .gltf alone"));
   mesh.rig = {};
+  mesh.texturing.gltf = R"({"materials": [{"name": "skin", "pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}}]})";
+  EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"), IsEmpty());
+  mesh.texturing.gltf = R"({"materials": [{"name": "skin", "pbrMetallicRoughness": {"metallicFactor": 0.5}}]})";
+  EXPECT_THAT(attribute_losses(mesh, "a.obj", "b"),
+              ElementsAre("of materials an .obj holds the base colour and its picture alone; a .glb holds more"));
+  mesh.texturing = {};
   mesh.fields = {{"depth", Field::Kind::value, {}}};
   mesh.left_out = {"its animations"};
   EXPECT_THAT(attribute_losses(mesh, "a.ply", "b.glb"), ElementsAre("b.glb: not carried: its animations"));

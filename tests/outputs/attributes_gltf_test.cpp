@@ -153,12 +153,13 @@ TEST(AttributesGltf, WritesHowJointsAndShapeKeysMove) {
 TEST(AttributesGltf, KeepsWhatAGltfSaysOfItsMaterials) {
   AttributedMesh mesh = capsule_with_everything();
   mesh.texturing.gltf = R"({"materials": [{"name": "gold", "pbrMetallicRoughness": {"metallicFactor": 0.9}}, {"extensions": )"
-                        R"({"KHR_materials_sheen": {"sheenRoughnessFactor": 0.3}}}], "textures": [{"source": 0}], "samplers": []})";
+                        R"({"KHR_materials_sheen": {"sheenRoughnessFactor": 0.3}}}], "textures": [{"source": 0}], "samplers": [], )"
+                        R"("extensionsRequired": ["KHR_materials_sheen"]})";
   const AttributedMesh again = read_again(attributes_gltf(mesh, "b.glb", "a.glb"));
   EXPECT_EQ(nlohmann::json::parse(again.texturing.gltf), nlohmann::json::parse(mesh.texturing.gltf));
   const GltfFile file =
       read_gltf_file(attributes_gltf(mesh, "b.glb", "a.glb")[0].contents, "b.glb", [](const std::string&) { return std::nullopt; });
-  EXPECT_EQ(file.document["extensionsUsed"], nlohmann::json::parse(R"(["KHR_materials_sheen"])"));
+  for (const char* list : {"extensionsUsed", "extensionsRequired"}) EXPECT_EQ(file.document[list], nlohmann::json({"KHR_materials_sheen"}));
   EXPECT_FALSE(file.document.contains("samplers")) << "glTF has no empty lists";
 }
 

@@ -64,9 +64,20 @@ TEST_F(ReadObjAttributes, FindsPicturesBehindOptionsAndTellsWhatElseThereIsOnce)
                                                     if (name == "red skin.png") return "PNG";
                                                     return {};
                                                   });
-  EXPECT_THAT(asked, ElementsAre("m.mtl", "red skin.png", "none.png", "none.png"));
+  EXPECT_THAT(asked, ElementsAre("m.mtl", "red skin.png", "none.png"));
   EXPECT_THAT(mesh.missing, ElementsAre("none.png"));
   EXPECT_THAT(mesh.left_out, ElementsAre("map_Bump, norm of m.mtl"));
+}
+
+TEST_F(ReadObjAttributes, KnowsPicturesOfOneNameByTheirFolders) {
+  const std::string library = "newmtl a\nmap_Kd head/skin.png\nnewmtl b\nmap_Kd body/skin.png\nnewmtl c\nmap_Kd head/./skin.png\n";
+  const AttributedMesh mesh = read_obj_attributes("mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/1 3/1\n", "a.obj",
+                                                  [&](const std::string& name) { return name == "m.mtl" ? library : "PNG of " + name; });
+  const Texturing& texturing = mesh.texturing;
+  EXPECT_EQ(texturing.images[texturing.materials[0].image].bytes, "PNG of head/skin.png");
+  EXPECT_EQ(texturing.images[texturing.materials[1].image].bytes, "PNG of body/skin.png");
+  EXPECT_EQ(texturing.materials[2].image, texturing.materials[0].image);
+  EXPECT_NE(texturing.images[0].name, texturing.images[1].name) << "as they are written into one folder";
 }
 
 TEST_F(ReadObjAttributes, TakesColoursIfAllVerticesHaveThem) {

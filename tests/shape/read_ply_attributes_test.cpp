@@ -144,6 +144,17 @@ TEST_F(ReadAttributes, FindsThePictureOfUvsAtPlyVertices) {
   EXPECT_THROW(read_attributes(write("below/a.ply", text)), FileError);
 }
 
+TEST(ReadPlyAttributes, KnowsPicturesOfOneNameByTheirFolders) {
+  std::string text = squares("", {}, "property list uchar float texcoord\nproperty int texnumber\n",
+                             {"6 0 0 .5 0 .5 1 0", "6 0 0 0 0 0 0 0", "8 0 0 .5 0 .5 1 0 1 1"});
+  text.replace(text.find("left one.png"), 12, "head/skin.png");
+  text.replace(text.find("right.png"), 9, "body/skin.png");
+  const Texturing texturing = read_ply_attributes(text, "a.ply", [](const std::string& name) { return "PNG of " + name; }).texturing;
+  EXPECT_EQ(texturing.images[texturing.materials[0].image].bytes, "PNG of head/skin.png");
+  EXPECT_EQ(texturing.images[texturing.materials[1].image].bytes, "PNG of body/skin.png");
+  EXPECT_NE(texturing.materials[0].name, texturing.materials[1].name);
+}
+
 TEST_F(ReadAttributes, RefusesWhatSaysNothingOrCannot) {
   const auto message = [&](const std::string& name, const std::string& content) {
     try {

@@ -99,6 +99,14 @@ constexpr const char* kPicture =
     "data:image/png;base64,iVBORw0KGgoAAAANSUhEUgAAAAIAAAACCAIAAAD91JpzAAAAEklEQVR4nGP4"
     "z8DAAMIM/4EAAB/uBfsL2WiLAAAAAElFTkSuQmCC";
 
+/// Materials that a glTF says more of: metal whose picture is turned, and bumps that are cut out.
+constexpr const char* kMaterials = R"({"materials": [
+  {"name": "metal", "pbrMetallicRoughness": {"roughnessFactor": 0.2, "metallicRoughnessTexture":
+    {"index": 1, "extensions": {"KHR_texture_transform": {"rotation": 0.5}}}}},
+  {"name": "bumps", "normalTexture": {"index": 0}, "alphaMode": "MASK", "occlusionTexture": {"index": 1}}],
+  "textures": [{"source": 0, "sampler": 0}, {"source": 0}], "samplers": [{"wrapS": 33071}],
+  "extensionsRequired": ["KHR_texture_transform"]})";
+
 /// An animal with a bone from its middle to either end, a head that can be raised, colours, and two UV islands, one of them with a picture.
 AttributedMesh dressed(const Mesh& mesh) {
   AttributedMesh animal;
@@ -165,8 +173,10 @@ int main(int argc, char** argv) {
   write_file(folder / "morph.glb", morph_glb(morph, {}));
   write_file(folder / "coloured.glb", morph_glb(morph, position_colours(model.mesh)));
   const DenseMap places = dense_maps(map, model.mesh, data.mesh).model_from_data;
-  AttributedMesh carried = carry_attributes(dressed(model.mesh), data.mesh, places.places, chirality_of(map));
+  AttributedMesh animal = dressed(model.mesh), carried = carry_attributes(animal, data.mesh, places.places, chirality_of(map));
   write_files(attributes_gltf(carried, folder / "carried.glb", "deer"));
+  animal.texturing.gltf = kMaterials;
+  carried = carry_attributes(animal, data.mesh, places.places, chirality_of(map));
   carried.rig = with_toes(carried.rig);
   carried.animations.clear();
   write_files(attributes_gltf(carried, folder / "carried too.gltf", "deer"));

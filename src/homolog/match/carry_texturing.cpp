@@ -157,6 +157,7 @@ Texturing carry_texturing(const AttributedMesh& giver, const Mesh& receiver, con
   Texturing texturing;
   texturing.materials = giver.texturing.materials;
   texturing.images = giver.texturing.images;
+  texturing.gltf = giver.texturing.gltf;
   std::map<std::pair<std::uint32_t, Uv>, std::uint32_t> numbers;  // a vertex has one UV on either side of a seam
   for (std::size_t t = 0; t < carried.size(); ++t) {
     texturing.material_of.push_back(carried[t].material);

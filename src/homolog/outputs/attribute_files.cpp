@@ -8,6 +8,7 @@
 #include "homolog/outputs/attributes_gltf.h"
 #include "homolog/outputs/attributes_obj.h"
 #include "homolog/outputs/attributes_ply.h"
+#include "homolog/outputs/gltf_materials.h"
 
 namespace homolog {
 namespace {
@@ -36,6 +37,9 @@ std::vector<std::string> attribute_losses(const AttributedMesh& giver, const std
   for (const std::string& what : giver.left_out) losses.push_back(fmt::format("{}: not carried: {}", from, what));
   const std::string ending = lower_extension(out);
   if (ending == ".obj" && !giver.fields.empty()) losses.emplace_back(".obj files hold no values and no labels; .ply and .glb files do");
+  if (ending == ".obj" && says_more_than_base_colour(giver.texturing)) {
+    losses.emplace_back("of materials an .obj holds the base colour and its picture alone; a .glb holds more");
+  }
   if (ending == ".ply" && ply_leaves_out(giver.texturing)) {
     losses.emplace_back("of materials a .ply holds the pictures alone; an .obj or a .glb holds more");
   }

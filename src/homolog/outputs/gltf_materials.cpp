@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "homolog/shape/srgb.h"
@@ -48,13 +49,26 @@ ordered_json made_materials(const Texturing& texturing, GltfContent& content) {
 }
 
 ordered_json kept_materials(const Texturing& texturing, GltfContent& content) {
-  ordered_json kept = ordered_json::parse(texturing.gltf), images = ordered_json::array();
+  ordered_json kept = ordered_json::parse(texturing.gltf), images = ordered_json::array(), required = ordered_json::array();
   for (const Image& image : texturing.images) images.push_back(image_of(image, content));
   kept["images"] = images;
-  std::set<std::string> extensions;
-  gather_extensions(kept, extensions);
-  if (!extensions.empty()) kept["extensionsUsed"] = extensions;
+  std::set<std::string> used;
+  gather_extensions(kept, used);
+  for (const ordered_json& name : kept.value("extensionsRequired", ordered_json::array())) {
+    if (name.is_string() && used.contains(name.get<std::string>())) required.push_back(name);  // others were those of its meshes
+  }
+  kept["extensionsUsed"] = used;
+  kept["extensionsRequired"] = required;
   return kept;
+}
+
+bool says_more(const ordered_json& material) {
+  for (const auto& item : material.items()) {
+    const std::string& key = item.key();
+    const bool is_base = key == "name" || key == "doubleSided" || key.starts_with("baseColor");
+    if (key == "pbrMetallicRoughness" ? says_more(item.value()) : !is_base) return true;
+  }
+  return false;
 }
 
 }  // namespace
@@ -67,6 +81,12 @@ ordered_json gltf_materials(const Texturing& texturing, GltfContent& content) {
     if (!list.value().empty()) needed[list.key()] = list.value();
   }
   return needed;
+}
+
+bool says_more_than_base_colour(const Texturing& texturing) {
+  if (texturing.gltf.empty()) return false;
+  const ordered_json materials = ordered_json::parse(texturing.gltf)["materials"];
+  return std::any_of(materials.begin(), materials.end(), says_more);
 }
 
 std::string picture_type(const std::string& bytes) {

@@ -7,8 +7,12 @@
 
 namespace homolog {
 
-/// "materials", "textures", "samplers", "images" and "extensionsUsed" of a document, those that it needs; the pictures go into the content.
+/// "materials", "textures", "samplers", "images", "extensionsUsed" and "extensionsRequired" of a document, those that it needs; the
+/// pictures go into the content.
 nlohmann::ordered_json gltf_materials(const Texturing& texturing, GltfContent& content);
+
+/// Whether materials of a glTF file say more than a name, a base colour and its picture, which is all that other files hold.
+bool says_more_than_base_colour(const Texturing& texturing);
 
 /// "image/png" and the like; empty for other bytes.
 std::string picture_type(const std::string& bytes);

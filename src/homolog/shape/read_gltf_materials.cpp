@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "homolog/shape/find_picture.h"
 #include "homolog/shape/srgb.h"
-#include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
@@ -58,16 +58,14 @@ void read_images(const GltfFile& file, const FindOther& find_other, AttributedMe
   std::vector<Image>& images = mesh.texturing.images;
   for (const json& image : list_at(file, "images")) {
     const std::string uri = text_at(image, "uri");
-    std::string name = picture_name(image, images.size(), uri);
-    const bool again = std::any_of(images.begin(), images.end(), [&](const Image& other) { return other.name == name; });
-    if (again) name = fmt::format("{}_{}", images.size(), name);
+    const std::string name = free_name(images, picture_name(image, images.size(), uri));
     std::optional<std::string> bytes;
     if (const auto view = number_at(file, image, "bufferView")) {
       bytes = std::string(buffer_view(file, *view));
     } else {
       bytes = uri_bytes(file, uri, find_other);
     }
-    if (!bytes) mesh.missing.push_back(shown(name, 100));
+    if (!bytes) tell_missing(name, mesh.missing);
     images.push_back({name, bytes.value_or("")});
   }
 }
@@ -99,13 +97,14 @@ void read_gltf_materials(const GltfFile& file, const FindOther& find_other, Attr
       for (int k = 0; k < 4; ++k) material.colour[k] = static_cast<float>(std::clamp((*colour)[k], 0.0, 1.0));
       material.colour = srgb_of_linear(material.colour);
     }
-    const bool again = std::any_of(texturing.materials.begin(), texturing.materials.end(),
-                                   [&](const Material& other) { return other.name == material.name; });
-    if (again || material.name.empty()) material.name = fmt::format("material_{}", texturing.materials.size());
+    if (material.name.empty()) material.name = fmt::format("material_{}", texturing.materials.size());
+    material.name = free_name(texturing.materials, material.name);
     texturing.materials.push_back(material);
   }
   if (texturing.materials.empty()) return;
-  texturing.gltf = json{{"materials", materials}, {"textures", list_at(file, "textures")}, {"samplers", list_at(file, "samplers")}}.dump();
+  json told = {{"materials", materials}, {"textures", list_at(file, "textures")}, {"samplers", list_at(file, "samplers")}};
+  if (const json required = list_at(file, "extensionsRequired"); !required.empty()) told["extensionsRequired"] = required;
+  texturing.gltf = told.dump();
 }
 
 }  // namespace homolog

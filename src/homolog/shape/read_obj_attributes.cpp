@@ -27,9 +27,10 @@ struct Reader {
   const FindOther& find_other;
   std::vector<std::string>&missing, &left_out;
   std::size_t vertices = 0;
-  std::vector<Rgba> colours;  ///< of the vertices so far that have one
-  std::vector<Face> faces;
-  Texturing texturing;
+  std::vector<Rgba> colours = {};  ///< of the vertices so far that have one
+  std::vector<Face> faces = {};
+  Texturing texturing = {};
+  PictureNumbers pictures = {};
   int material = -1;
 };
 
@@ -76,7 +77,7 @@ void read_library(Reader& reader, const std::string& name) {
   for (const auto& [material, picture] : mtl.materials) {
     Material& own = reader.texturing.materials[material_number(reader.texturing, material.name)];
     own.colour = material.colour;
-    if (!picture.empty()) own.image = find_picture(picture, reader.find_other, reader.texturing.images, reader.missing);
+    if (!picture.empty()) own.image = find_picture(picture, reader.find_other, reader.texturing.images, reader.pictures, reader.missing);
   }
 }
 
@@ -119,7 +120,7 @@ void append_corners(Reader& reader, const Face& face, const Mesh& triangles, std
 AttributedMesh read_obj_attributes(std::string_view content, const std::string& file, const FindOther& find_other) {
   AttributedMesh mesh;
   mesh.mesh = read_obj(content, file);
-  Reader reader{{file, content, 0}, find_other, mesh.missing, mesh.left_out, 0, {}, {}, {}, -1};
+  Reader reader{{file, content, 0}, find_other, mesh.missing, mesh.left_out};
   std::string_view line;
   std::string joined;
   while (next_whole_line(reader.text, line, joined)) read_line(reader, line);

@@ -49,9 +49,11 @@ void add_pictures(AttributedMesh& mesh, const std::vector<std::string>& pictures
     for (const std::string& picture : pictures) mesh.left_out.push_back(shown(picture, longest_name) + ", as no UVs say where it lies");
     return;
   }
+  PictureNumbers numbers;
+  std::vector<Material>& materials = mesh.texturing.materials;
   for (const std::string& picture : pictures) {
-    const int image = find_picture(picture, find_other, mesh.texturing.images, mesh.missing);
-    mesh.texturing.materials.push_back({std::filesystem::path(picture).stem().string(), {1, 1, 1, 1}, image});
+    const int image = find_picture(picture, find_other, mesh.texturing.images, numbers, mesh.missing);
+    materials.push_back({free_name(materials, std::filesystem::path(picture).stem().string()), {1, 1, 1, 1}, image});
   }
 }
 

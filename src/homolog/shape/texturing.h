@@ -32,7 +32,7 @@ struct Texturing {
   std::vector<int> material_of;                       ///< every triangle's number in `materials`; -1: none
   std::vector<Material> materials;
   std::vector<Image> images;
-  std::string gltf;  ///< "materials", "textures" and "samplers" of a glTF file as its JSON, which say more than these; else empty
+  std::string gltf;  ///< "materials", "textures", "samplers" of a glTF file and "extensionsRequired", its JSON, which says more; else empty
 
   bool has_uvs(std::size_t triangle) const { return corners[triangle][0] != no_uv; }
 };
