@@ -39,9 +39,19 @@ inline std::vector<Vec3> vectors_of(const Places& rows) {
   return vectors;
 }
 
+inline Triangles triangles_of(const Mesh& mesh) {
+  Triangles rows(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
+  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
+    for (int c = 0; c < 3; ++c) rows(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][static_cast<std::size_t>(c)];
+  }
+  return rows;
+}
+
+/// What callers give may name vertices that are not there, which nothing after this asks again. Throws ShapeError.
 inline Mesh mesh_of(const Places& vertices, const Triangles& triangles) {
   Mesh mesh{vectors_of(vertices), {}};
   for (Eigen::Index i = 0; i < triangles.rows(); ++i) mesh.triangles.push_back({triangles(i, 0), triangles(i, 1), triangles(i, 2)});
+  check_mesh(mesh);
   return mesh;
 }
 

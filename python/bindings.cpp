@@ -89,11 +89,7 @@ std::tuple<Places, Triangles, bool> read(const std::filesystem::path& path, cons
     Interruptible working;
     mesh = read_mesh(path, limits, label);
   }
-  Triangles triangles(static_cast<Eigen::Index>(mesh.triangles.size()), 3);
-  for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
-    for (int c = 0; c < 3; ++c) triangles(static_cast<Eigen::Index>(i), c) = mesh.triangles[i][static_cast<std::size_t>(c)];
-  }
-  return {places_of(mesh.vertices), triangles, mesh.ras};
+  return {places_of(mesh.vertices), triangles_of(mesh), mesh.ras};
 }
 
 Described describe(const Places& vertices, const Triangles& triangles, const std::string& name, bool ras,

@@ -204,6 +204,7 @@ def test_wrong_parameters_are_refused(bear, wrong, word):
 @pytest.mark.parametrize("shape, word", [
     (None, "no shape"), ((np.zeros((4, 2)), np.zeros((1, 3), int)), "vertices"), ((np.zeros((4, 3)), np.zeros((1, 4), int)), "divide"),
     ((np.zeros((4, 3)), np.zeros((1, 3))), "faces"), ((np.zeros((4, 3)), [[0, 1, -1]]), "-1"), ((np.eye(3), [[0, 1, 7]]), "vertex 7"),
+    ((np.eye(3), [[0, 1, 2], [0, 1, 10**7]]), "vertex 10000000"),
     ((np.full((3, 3), np.nan), [[0, 1, 2]]), "finite"), ((np.eye(3), [[0, 1, 2]]), "volume|solid|extent|inside"), ((np.eye(3), np.zeros((0, 3), int)), "triangles"),
 ])  # fmt: skip
 def test_unusable_shapes_are_refused(shape, word):

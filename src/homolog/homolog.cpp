@@ -145,6 +145,7 @@ Shape describe_upright(const Mesh& mesh, const Params& params, const std::option
 
 Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   check(params);
+  check_mesh(mesh);
   const ThreadLimit limit(params.threads);
   // A part is told by the file's axes; a whole is looked at along its own, so that it is the same however it was turned.
   const Mat3 axes = part ? Mat3(Mat3::Identity()) : principal_axes(mesh);

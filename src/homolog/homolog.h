@@ -17,7 +17,8 @@
 namespace homolog {
 
 /// Voxels, salient points and descriptors of a solid (Sec. 4 and 5). `part` limits it to a box given in shares of the mesh's
-/// bounding box (0 to 1 per axis). Throws ShapeError when there is no inside, ParamError for values out of range.
+/// bounding box (0 to 1 per axis). Throws ShapeError when there is no inside or a vertex of a triangle is not there
+/// or not finite, ParamError for values out of range.
 Shape describe_shape(const Mesh& mesh, const Params& params = {}, const std::optional<Box>& part = {}, Stopwatch* watch = nullptr);
 
 /// Every place where the model, or a part of it, occurs in the data (Sec. 6), best first.

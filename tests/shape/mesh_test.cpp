@@ -20,5 +20,16 @@ TEST(BoundingBox, IgnoresVerticesThatNoTriangleUses) {
 
 TEST(BoundingBox, NeedsATriangle) { EXPECT_THROW(bounding_box(Mesh{{Vec3(1, 2, 3)}, {}}), ShapeError); }
 
+TEST(CheckMesh, RefusesCornersThatAreNotThereOrNotFinite) {
+  Mesh mesh = meshes::box({0, 0, 0}, {1, 1, 1});
+  EXPECT_NO_THROW(check_mesh(mesh));
+  mesh.vertices.push_back(Vec3::Constant(std::nan("")));
+  EXPECT_NO_THROW(check_mesh(mesh)) << "no triangle uses it";
+  mesh.triangles.push_back({0, 1, 8});
+  EXPECT_THROW(check_mesh(mesh), ShapeError);
+  mesh.triangles.back()[2] = 50'000'000;
+  EXPECT_THROW(check_mesh(mesh), ShapeError);
+}
+
 }  // namespace
 }  // namespace homolog

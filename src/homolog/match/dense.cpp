@@ -121,6 +121,8 @@ DenseMap dense_map(const Laid& laid, const Drawn& drawn, const Folds& folds, con
 double chance_within_reach(double expected) { return 1 / (1 + std::pow(expected / good_error, 1.5)); }
 
 DenseMaps dense_maps(const MatchMap& match, const Mesh& model, const Mesh& data) {
+  check_mesh(model);
+  check_mesh(data);
   const double extent = matched_extent(match.model_diagonal, match.scale, match.data_diagonal);
   const Chirality chirality = chirality_of(match);
   const bool mirrored = chirality == Chirality::mirrored;

@@ -40,7 +40,8 @@ struct DenseMaps {
 /// a skin that keeps its shape as far as it can (elastic_skin.h), in two steps, the second one finer. The data's vertices then find their
 /// places on the model as it lies there, in the same way. Without a place stay what lies outside the covered part, what is farther than 5 %
 /// of the matched extent from the other surface, and one end of each edge whose ends would land farther apart along the skin than four
-/// times its length at the match's scale and 2 % of the extent: so near limbs are never joined.
+/// times its length at the match's scale and 2 % of the extent: so near limbs are never joined. Throws ShapeError for meshes
+/// that check_mesh() refuses.
 DenseMaps dense_maps(const MatchMap& match, const Mesh& model, const Mesh& data);
 
 /// The chance that a place is right within .05 of the matched extent when its error is expected to be `expected` (transfer.h), in

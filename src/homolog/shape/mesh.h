@@ -16,6 +16,9 @@ struct Mesh {
   bool ras = false;  ///< the file states that x runs to the right and y to the front (SPACE=RAS, as 3D Slicer writes it); else LPS is meant
 };
 
+/// Throws ShapeError if a triangle names a vertex that does not exist, or one with a coordinate that is not finite.
+void check_mesh(const Mesh& mesh);
+
 /// An axis-aligned box.
 struct Box {
   Vec3 min = Vec3::Zero(), max = Vec3::Zero();

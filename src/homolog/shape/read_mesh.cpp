@@ -34,7 +34,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-void check_mesh(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
+void check_read(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
   if (mesh.triangles.empty()) throw FileError(fmt::format("{}: the file holds no triangles; export the surface as a mesh", file));
   if (mesh.triangles.size() > most_triangles) {
     throw FileError(
@@ -140,7 +140,7 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
               : is_scene ? read_scene(path)
                          : read_content(path, without_byte_order_mark(content), limits);
   if (!volume && states_ras(content)) mesh.ras = true;
-  check_mesh(mesh, path.string(), limits.triangles);
+  check_read(mesh, path.string(), limits.triangles);
   return mesh;
 }
 

@@ -21,17 +21,6 @@ namespace {
 constexpr double most_crossings = 2e7;  // of a ray for every column of voxels and the surface: some seconds
 constexpr double least_sheets = 64;     // are allowed on the finest grid
 
-void check_mesh(const Mesh& mesh) {
-  for (const auto& triangle : mesh.triangles) {
-    for (const std::uint32_t corner : triangle) {
-      if (corner >= mesh.vertices.size()) {
-        throw ShapeError(fmt::format("a triangle names vertex {}, but there are {}", corner, mesh.vertices.size()));
-      }
-      if (!mesh.vertices[corner].allFinite()) throw ShapeError(fmt::format("a coordinate of vertex {} is not a finite number", corner));
-    }
-  }
-}
-
 void check_settings(int resolution, double thicken) {
   if (resolution < 1 || resolution > 2048) {
     throw ParamError(fmt::format("parameter 'resolution' is {}, but must be from 1 to 2048", resolution));
