@@ -55,7 +55,7 @@ void write_maps(const ResultFolder& folder, const StoredFamily& family, int matc
 }
 
 int run_dense(const DenseOptions& options) {
-  const ResultFolder folder(options.out);
+  const ResultFolder folder(options.out, {options.model, options.data});
   const ThreadLimit limit(parse_threads(options.threads));
   Console console(options.quiet, options.timing);
   console.stage("reading the match");

@@ -42,7 +42,7 @@ int run_match(const MatchOptions& options) {
   }
   if (options.data.empty()) throw UsageError("match needs a second file, DATA, or --self");
   const Params params = params_of(options.common);
-  const ResultFolder folder(options.common.out);
+  const ResultFolder folder(options.common.out, {options.model, options.data});
   Console console(options.common.quiet, options.common.timing);
   const DescribedFile model = describe_file(options.model, options.model_part, params, options.common.limits, console, options.model_label);
   const DescribedFile data = describe_file(options.data, options.data_part, params, options.common.limits, console, options.data_label);

@@ -77,11 +77,14 @@ int run_morph(const MorphOptions& options) {
   const DenseMaps maps = dense_maps(match, model, data);
   console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
   console.stage("writing results");
-  write_files(morph_files(make_morph(match, model, maps), options));
+  std::vector<std::filesystem::path> read = stored_files(options.match);
+  read.insert(read.end(), {options.model, options.data});
+  write_files(morph_files(make_morph(match, model, maps), options), read);
   console.watch().lap("writing results", 1 + static_cast<std::size_t>(options.frames), "files");
   console.clear();
-  print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there\n", family.model.file, family.data.file,
-                           maps.data_from_model.placed, model.vertices.size()));
+  const DenseMap& map = maps.data_from_model;
+  print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there; {} of {} triangles folded over, {} edges torn\n",
+                           family.model.file, family.data.file, map.placed, model.vertices.size(), map.folded, map.triangles, map.torn));
   return kFound;
 }
 

@@ -44,7 +44,7 @@ std::string points_table(const std::vector<Landmark>& landmarks) {
 
 int run_points(const PointsOptions& options) {
   const Params params = params_of(options.common);
-  const ResultFolder folder(options.common.out);
+  const ResultFolder folder(options.common.out, {options.shape});
   Console console(options.common.quiet, options.common.timing);
   const DescribedFile file = describe_file(options.shape, options.part, params, options.common.limits, console, options.label);
 

@@ -29,13 +29,13 @@ class Uninterrupted {
 
 }  // namespace
 
-ResultFolder::ResultFolder(fs::path path) : path_(std::move(path)) {
+ResultFolder::ResultFolder(fs::path path, std::vector<fs::path> read) : path_(std::move(path)), read_(std::move(read)) {
   if (!path_.empty()) require_writable_folder(path_);
 }
 
 void ResultFolder::write(const NamedFiles& files) const {
   const Uninterrupted uninterrupted;
-  write_folder(path_, files);
+  write_folder(path_, files, read_);
 }
 
 }  // namespace homolog::cli

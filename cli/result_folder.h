@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "homolog/outputs/write_folder.h"
 
@@ -11,8 +12,8 @@ namespace homolog::cli {
 class ResultFolder {
  public:
   /// Asks whether the folder can be made and written into, and touches nothing, so that neither a failure nor Ctrl-C leaves an empty
-  /// folder; an empty path means that no files are wanted. Throws OutputError.
-  explicit ResultFolder(std::filesystem::path path);
+  /// folder; an empty path means that no files are wanted. `read` are files that must not be overwritten. Throws OutputError.
+  ResultFolder(std::filesystem::path path, std::vector<std::filesystem::path> read);
 
   bool wanted() const { return !path_.empty(); }
   std::filesystem::path operator/(const char* name) const { return path_ / name; }
@@ -22,6 +23,7 @@ class ResultFolder {
 
  private:
   std::filesystem::path path_;
+  std::vector<std::filesystem::path> read_;
 };
 
 }  // namespace homolog::cli

@@ -13,11 +13,23 @@
 #include "input_limits.h"
 
 namespace homolog::cli {
+namespace {
+
+std::filesystem::path path_beside(const StoredMatchOptions& options, bool is_model) {
+  return std::filesystem::path(options.file).parent_path() / (is_model ? "model.part.ply" : "data.part.ply");
+}
+
+}  // namespace
 
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options) {
   verb.add_option("MATCH", options.file, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
   verb.add_option("--match", options.number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
   add_reading_limits(verb, options.limits);
+}
+
+std::vector<std::filesystem::path> stored_files(const StoredMatchOptions& options) {
+  return {options.file, std::filesystem::path(options.file).replace_filename("parts.json"), path_beside(options, true),
+          path_beside(options, false)};
 }
 
 std::optional<StoredFamily> read_matches(const StoredMatchOptions& options) {
@@ -35,14 +47,6 @@ const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOption
   return family.matches[static_cast<std::size_t>(options.number - 1)];
 }
 
-namespace {
-
-std::filesystem::path path_beside(const StoredMatchOptions& options, bool is_model) {
-  return std::filesystem::path(options.file).parent_path() / (is_model ? "model.part.ply" : "data.part.ply");
-}
-
-}  // namespace
-
 Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction) {
   const bool is_model = direction == Direction::data_from_model;
   const StoredShape& shape = is_model ? family.model : family.data;
@@ -50,6 +54,11 @@ Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, co
   if (given.empty() && !std::filesystem::exists(path)) {
     throw FileError(fmt::format("{}: this mesh does not stand beside the match; name the meshes that were matched by --model and --data",
                                 path.string()));
+  }
+  const StoredShape& other = is_model ? family.data : family.model;
+  if (other.file != shape.file && path.filename() == other.file) {
+    throw FileError(fmt::format("{}: it was the {} of this match, not the {}; exchange --model and --data", path.string(),
+                                is_model ? "data" : "model", is_model ? "model" : "data"));
   }
   Mesh mesh = read_mesh(path, options.limits);
   if (shape.vertices != 0 && mesh.vertices.size() != shape.vertices) {

@@ -18,6 +18,9 @@ struct StoredMatchOptions {
   ReadLimits limits = {};  ///< of the meshes that are read beside it
 };
 
+/// The files of the match's folder that are read, there or not.
+std::vector<std::filesystem::path> stored_files(const StoredMatchOptions& options);
+
 /// MATCH, --match and the limits of files.
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options);
 
@@ -28,7 +31,7 @@ std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
 
 /// The mesh that was matched and that `direction` carries from: `given` if that is not empty, else the file in the folder of the match.
-/// Throws FileError, also for a mesh that has not as many vertices as the one that was matched.
+/// Throws FileError, also for the other shape's file, and for a mesh that has not as many vertices as the one that was matched.
 Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction);
 
 /// The same, refused if it lies elsewhere (misplaced.h).

@@ -32,7 +32,7 @@ symmetry.json of the folder.)";
 
 int match_with_itself(const std::string& path, const std::optional<Box>& part, const Label& label, const CommonOptions& options) {
   const Params params = params_of(options);
-  const ResultFolder folder(options.out);
+  const ResultFolder folder(options.out, {path});
   Console console(options.quiet, options.timing);
   const DescribedFile file = describe_file(path, part, params, options.limits, console, label);
   console.stage("matching");

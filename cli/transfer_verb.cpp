@@ -118,7 +118,7 @@ struct Carried {
 /// turned.
 Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const MatchedShape& shape, Direction direction,
                    Console& console) {
-  const Mesh mesh = read_mesh(options.mesh, options.match.limits);
+  Mesh mesh = read_mesh(options.mesh, options.match.limits);
   if (const auto wrong = misplaced(mesh, options.mesh, shape)) {
     if (wrong->explained) throw FileError(wrong->sentence);
     console.warn(wrong->sentence);
@@ -126,6 +126,7 @@ Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const 
   Carried result;
   const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
   for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
+  mesh.triangles = carried_triangles(match, mesh);
   return {carried_ply(mesh, vertices), result.there, vertices.size()};
 }
 
@@ -157,6 +158,13 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   return result;
 }
 
+/// That are read and must not be overwritten.
+std::vector<std::filesystem::path> files_of(const TransferOptions& options) {
+  std::vector<std::filesystem::path> files = stored_files(options.match);
+  files.insert(files.end(), {options.points, options.mesh, options.attributes.onto});
+  return files;
+}
+
 int run_transfer(const TransferOptions& options) {
   check_options(options);
   Console console(options.quiet, options.timing);
@@ -169,15 +177,15 @@ int run_transfer(const TransferOptions& options) {
   console.watch().lap("reading the match", family.matches.size(), "matches");
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
   if (const AttributeOptions& given = options.attributes; !given.from.empty()) {
-    return transfer_attributes({given.from, options.out, direction, given.labels, given.fill, options.match.limits}, given.onto,
-                               options.match, family, match, console);
+    return transfer_attributes({given.from, options.out, direction, given.labels, given.fill, options.match.limits, files_of(options)},
+                               given.onto, options.match, family, match, console);
   }
   const StoredShape& from = options.inverse ? family.data : family.model;
   const StoredShape& to = options.inverse ? family.model : family.data;
   console.stage("carrying");
   const Carried carried = carry_file(match, options, from, to, direction, console);
   console.watch().lap("carrying", carried.all, options.mesh.empty() ? "points" : "vertices");
-  write_file(options.out, carried.text);
+  write_files(std::vector<OutputFile>{{options.out, carried.text}}, files_of(options));
   console.watch().lap("writing results", carried.text.size(), "bytes");
   console.clear();
   print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}\n", carried.there, carried.all,

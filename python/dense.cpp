@@ -42,6 +42,16 @@ nb::dict map_fields(const DenseMap& map) {
   return fields;
 }
 
+nb::dict morph_fields(const Morph& morph, const DenseMap& map) {
+  nb::dict fields;
+  fields["start"] = places_of(morph.start.vertices);
+  fields["end"] = places_of(morph.end);
+  fields["faces"] = triangles_of(morph.start);
+  fields["triangles"] = map.triangles;
+  fields["folded"] = map.folded;
+  return fields;
+}
+
 nb::dict dense(const MatchMap& match, const Places& model_vertices, const Triangles& model_faces, const Places& data_vertices,
                const Triangles& data_faces) {
   DenseMaps maps;
@@ -55,7 +65,7 @@ nb::dict dense(const MatchMap& match, const Places& model_vertices, const Triang
   nb::dict fields;
   fields["data_from_model"] = map_fields(maps.data_from_model);
   fields["model_from_data"] = map_fields(maps.model_from_data);
-  fields["morph"] = nb::make_tuple(places_of(morph.start.vertices), places_of(morph.end));
+  fields["morph"] = morph_fields(morph, maps.data_from_model);
   return fields;
 }
 
@@ -78,14 +88,15 @@ Table between(const Numbers& triangle, const Places& barycentric, const Triangle
 void write_morph(const std::filesystem::path& path, const Places& start, const Places& end, const Triangles& faces,
                  const std::vector<Colour>& colours) {
   Interruptible working;
-  write_file(path, morph_glb({mesh_of(start, faces), vectors_of(end)}, colours));
+  const Mesh first = mesh_of(start, faces), last = mesh_of(end, faces);
+  write_file(path, morph_glb({first, last.vertices}, colours));
 }
 
 /// What `from` says of its mesh, carried to another one and written; returns how many vertices have a place, and what could not be
-/// written, in sentences. `names`: of the shapes that were matched, and of the receiver.
+/// written, in sentences. `names`: of the shapes that were matched, and of the receiver. `read`: files that must not be overwritten.
 nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, const std::filesystem::path& out, const Places& vertices,
                    const Triangles& faces, bool to_data, const std::vector<std::string>& labels, bool fill,
-                   const std::array<std::string, 3>& names) {
+                   const std::array<std::string, 3>& names, const std::vector<std::filesystem::path>& read) {
   TransferredAttributes carried;
   {
     Interruptible working;
@@ -93,7 +104,7 @@ nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, con
       throw ParamError(std::string("attributes are written as ") + writable_attributes + ", not as '" + out.string() + "'");
     const Direction direction = to_data ? Direction::data_from_model : Direction::model_from_data;
     const Mesh receiver = mesh_of(vertices, faces);
-    carried = transfer_attributes({from, out, direction, labels, fill}, match, {receiver, names[2]}, {names[0], names[1]});
+    carried = transfer_attributes({from, out, direction, labels, fill, {}, read}, match, {receiver, names[2]}, {names[0], names[1]});
   }
   return nb::make_tuple(carried.placed, carried.losses);
 }
@@ -103,7 +114,7 @@ nb::tuple transfer(const MatchMap& match, const std::filesystem::path& from, con
 void bind_dense(nb::module_& module, nb::class_<MatchMap>& map) {
   map.def("dense", &dense, nb::arg("model_vertices"), nb::arg("model_faces"), nb::arg("data_vertices"), nb::arg("data_faces"));
   map.def("transfer", &transfer, nb::arg("source"), nb::arg("out"), nb::arg("vertices"), nb::arg("faces"), nb::arg("to_data"),
-          nb::arg("labels"), nb::arg("fill"), nb::arg("names"));
+          nb::arg("labels"), nb::arg("fill"), nb::arg("names"), nb::arg("read"));
   module.def("between", &between, nb::arg("triangle"), nb::arg("barycentric"), nb::arg("faces"), nb::arg("values"), nb::arg("labels"));
   module.def("write_morph", &write_morph, nb::arg("path"), nb::arg("start"), nb::arg("end"), nb::arg("faces"), nb::arg("colours"));
 }

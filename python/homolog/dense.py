@@ -93,7 +93,9 @@ class Morph:
 
     start: np.ndarray  #: (n, 3), the model, laid over the data by the similarity of the match
     end: np.ndarray  #: (n, 3), the same vertices on the data, smoothly continued where they have no place there
-    faces: np.ndarray  #: (m, 3)
+    faces: np.ndarray  #: (m, 3), the model's, turned over if the match is mirrored
+    triangles: int  #: how many of these have three places on the data
+    folded: int  #: of those, how many lie there with the wrong side up
 
     def frame(self, share: float) -> np.ndarray:
         """The vertices (n, 3) at a share of the way, 0 the start and 1 the end; they go straight."""
@@ -104,6 +106,8 @@ class Morph:
 
         `colours`: of the vertices, (n, 3), 0 to 255. Throws ValueError for others, OSError if the file cannot be written.
         """
+        if self.start.shape != self.end.shape:
+            raise ValueError(f"the start has the shape {self.start.shape} and the end {self.end.shape}, but they must have one")
         rows = np.empty((0, 3)) if colours is None else np.asarray(colours)
         if rows.shape not in ((0, 3), self.start.shape) or (rows.size and not 0 <= rows.min() <= rows.max() <= 255):
             raise ValueError(f"the colours must be {self.start.shape}, from 0 to 255, but have the shape {rows.shape}")
@@ -112,14 +116,15 @@ class Morph:
         _core.write_morph(Path(path), self.start, self.end, self.faces, rows.astype(np.uint8).tolist())
 
     def __repr__(self) -> str:
-        return f"<homolog.Morph: {len(self.start)} vertices>"
+        return f"<homolog.Morph: {len(self.start)} vertices, {self.folded} of {self.triangles} triangles folded over>"
 
     def _repr_html_(self) -> str:
         way = mean_of(np.linalg.norm(self.end - self.start, axis=1), slice(None))
-        return html_table(["vertices", "faces", "mean way"], [[str(len(self.start)), str(len(self.faces)), way]])
+        counts = map(str, (len(self.start), len(self.faces), self.triangles, self.folded))
+        return html_table(["vertices", "faces", "triangles", "folded", "mean way"], [[*counts, way]])
 
 
 def dense_of(fields: dict[str, Any], model: Shape, data: Shape) -> tuple[Dense, Morph]:
     """From what _core returns."""
     maps = (DenseMap(**fields[name]) for name in ("data_from_model", "model_from_data"))
-    return Dense(*maps, model, data), Morph(*fields["morph"], model.faces)
+    return Dense(*maps, model, data), Morph(**fields["morph"])

@@ -189,7 +189,7 @@ class Family(Sequence[Match]):
         keys). `onto`: the mesh that receives it, in the data's coordinates, in any form that `describe` takes; else the data. `to_model`:
         from a copy of the data to the model. `labels`: fields that hold labels although their type is not whole. `fill`: leave no holes,
         what has no place gets what is nearest to where the match lays it. What `out` cannot hold is told by a UserWarning. Throws OSError
-        for files that cannot be read or written, and for a `source` or `onto` that lies elsewhere than the shape that was matched.
+        for files that cannot be read or written, for an `out` that would replace what was read, and for a `source` or `onto` that lies elsewhere than the shape that was matched.
         """
         from homolog.shapes import surface_of
 
@@ -199,7 +199,8 @@ class Family(Sequence[Match]):
         vertices, faces = (receiver.vertices, receiver.faces) if onto is None else surface_of(onto)[:2]
         giver = self.data if to_model else self.model
         names = [giver.name or "the giver", receiver.name or "the receiver", "onto"]
-        placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill, names)
+        read = [Path(os.fsdecode(onto))] if isinstance(onto, (str, bytes, os.PathLike)) else []
+        placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill, names, read)
         for loss in losses:
             warnings.warn(loss, UserWarning, stacklevel=2)
         return placed

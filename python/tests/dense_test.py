@@ -81,6 +81,50 @@ def test_a_morph_begins_at_the_model_and_ends_at_the_data(family, tmp_path):
         morph.write(tmp_path / "none" / "a.glb")
 
 
+def volume(vertices, faces):
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    return np.einsum("nk,nk->", a, np.cross(b, c)) / 6
+
+
+def test_a_mirrored_morph_shows_its_outer_side():
+    vertices, faces = bear_arrays()
+    mirror = np.diag([-1, 1, 1])
+    family = homolog.match((vertices, faces), (moved(vertices) @ mirror, faces[:, ::-1]), **COARSE, mirror="only")
+    morph = family.morph()
+    assert np.linalg.det(family[0].similarity[:3, :3]) < 0 < volume(vertices, faces)
+    for share in (0, 1):
+        assert volume(morph.frame(share), morph.faces) == pytest.approx(SCALE**3 * volume(vertices, faces), rel=0.05)
+    assert 0 <= morph.folded <= 0.01 * morph.triangles
+
+
+def test_vertices_that_are_not_there_are_refused(family, tmp_path):
+    vertices, faces = bear_arrays()
+    far, holed = faces.copy(), family.data.vertices.copy()
+    far[5, 1], holed[3] = 10**7, np.nan
+    (tmp_path / "rigged.glb").write_bytes(mesh_files.rigged_glb(vertices.tolist(), faces.tolist(), neck=0.9))
+    with pytest.raises(ValueError, match="names vertex 10000000, but there are"):
+        family.transfer(tmp_path / "rigged.glb", tmp_path / "a.glb", onto=(vertices, far))
+    with pytest.raises(ValueError, match="a coordinate of vertex 3 is not a finite number"):
+        family.transfer(tmp_path / "rigged.glb", tmp_path / "a.glb", onto=(holed, faces))
+    family.save(tmp_path / "saved")
+    with pytest.raises(ValueError, match="names vertex 10000000"):
+        homolog.load(tmp_path / "saved", model=(vertices, far)).dense()
+    morph = family.morph()
+    for wrong, word in ((replace(morph, faces=far), "names vertex 10000000"), (replace(morph, end=morph.end[:7]), "but they must have one")):
+        with pytest.raises(ValueError, match=word):
+            wrong.write(tmp_path / "a.glb")
+    assert not (tmp_path / "a.glb").exists()
+
+
+def test_what_was_read_is_not_overwritten(family, tmp_path):
+    vertices, faces = bear_arrays()
+    (tmp_path / "rigged.glb").write_bytes(mesh_files.rigged_glb(vertices.tolist(), faces.tolist(), neck=0.9))
+    (tmp_path / "onto.glb").write_bytes(mesh_files.rigged_glb(family.data.vertices.tolist(), faces.tolist(), neck=0.9))
+    for name in ("rigged.glb", "onto.glb"):
+        with pytest.raises(OSError, match=f"cannot write '.*{name}': it was read to make this"):
+            family.transfer(tmp_path / "rigged.glb", tmp_path / name, onto=tmp_path / "onto.glb")
+
+
 def test_a_rigged_file_is_carried(family, tmp_path):
     vertices, faces = bear_arrays()
     (tmp_path / "rigged.glb").write_bytes(mesh_files.rigged_glb(vertices.tolist(), faces.tolist(), neck=0.9))
@@ -126,7 +170,7 @@ def test_results_pickle_and_show_themselves(family, dense):
     morph = family.morph()
     assert bytes_of(pickle.loads(pickle.dumps((dense.data_from_model, morph)))) == bytes_of((dense.data_from_model, morph))
     assert bytes_of(pickle.loads(pickle.dumps(dense)).model_from_data) == bytes_of(dense.model_from_data)
-    assert repr(morph) == f"<homolog.Morph: {len(morph.start)} vertices>"
+    assert repr(morph) == f"<homolog.Morph: {len(morph.start)} vertices, {morph.folded} of {morph.triangles} triangles folded over>"
     assert "vertices have a place" in repr(dense)
 
 

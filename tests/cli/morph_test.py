@@ -44,7 +44,7 @@ class Morph(Program):
     def test_glb_and_frames(self):
         done = self.run_it("morph", "out/match.json", "--colour", "--frames", "3", "--out", "morph.glb")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
-        self.assertRegex(done.stdout, r"\Abear.off turns into bear_bis.off: \d+ of \d+ vertices have a place there\n\Z")
+        self.assertRegex(done.stdout, r"\Abear.off turns into bear_bis.off: \d+ of \d+ vertices have a place there; \d+ of \d+ triangles folded over, \d+ edges torn\n\Z")
         start, end = self.positions("morph.glb")
         there = [bear.turned(vertex) for vertex in self.model()]
         self.assertEqual(len(start), len(there))
@@ -62,6 +62,10 @@ class Morph(Program):
         self.expect_message(2, "--frames is 1, but", "morph", match, "--frames", "1", "--out", "a.glb")
         self.expect_message(2, "--match is 99", "morph", match, "--match", "99", "--out", "a.glb")
         self.expect_message(3, "name that one", "morph", match, "--data", "plate.off", "--out", "a.glb")
+        self.expect_message(3, "bear_bis.off: it was the data of this match, not the model; exchange --model and --data",
+                            "morph", match, "--model", "bear_bis.off", "--data", "bear.off", "--out", "a.glb")
+        os.rename(self.path("bear.off"), self.path("a.1.ply"))
+        self.expect_message(4, "cannot write 'a.1.ply': it was read", "morph", match, "--model", "a.1.ply", "--frames", "2", "--out", "a.glb")
         self.expect_message(4, "cannot write 'none/a.glb'", "morph", match, "--out", "none/a.glb")
         self.assertFalse(os.path.exists(self.path("a.glb")))
 

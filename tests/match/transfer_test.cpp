@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/solids.h"
+#include "shape/meshes.h"
 
 namespace homolog {
 namespace {
@@ -49,6 +50,19 @@ TEST(CarryPoints, PutsThemWhereTheMapDoes) {
     EXPECT_NEAR((carried[i].position - bend(inside[i])).norm(), 0, 0.02 * match.data_diagonal);
     EXPECT_EQ(carried[i].position, match.data_from_model(inside[i]));
     EXPECT_GT(carried[i].coverage.value(), 0.9);
+  }
+}
+
+TEST(CarriedTriangles, KeepTheOuterSideOutsideAlsoWhereTheMapMirrors) {
+  const Mesh ball = meshes::sphere(2);
+  for (const bool mirrored : {false, true}) {
+    MatchMap map;
+    map.data_from_model.affine.leftCols<3>() = mirrored ? Mat3(2 * fixtures::mirror_x()) : Mat3(2 * Mat3::Identity());
+    map.data_from_model.affine.col(3).setZero();
+    Mesh carried{{}, carried_triangles(map, ball)};
+    for (const CarriedPoint& point : carry_points(map, ball.vertices, Direction::data_from_model))
+      carried.vertices.push_back(point.position);
+    EXPECT_NEAR(meshes::volume(carried), 8 * meshes::volume(ball), 1e-9) << mirrored;
   }
 }
 

@@ -97,5 +97,17 @@ TEST(MakeMorph, BeginsWithTheModelLaidByTheSimilarity) {
   EXPECT_EQ(morph.end, model.vertices);
 }
 
+TEST(MakeMorph, ShowsTheOuterSideOfAMirroredMatch) {
+  const Mesh model = meshes::sphere(2);
+  MatchMap match;
+  match.data_from_model.affine.setZero();
+  match.data_from_model.affine.leftCols<3>() = fixtures::mirror_x();
+  match.similarity.topLeftCorner<3, 3>() = fixtures::mirror_x();
+  DenseMaps maps;
+  for (const Vec3& vertex : model.vertices) maps.laid_vertices.push_back(fixtures::mirror_x() * vertex);
+  const Morph morph = make_morph(match, model, maps);
+  for (const double share : {0.0, 0.5, 1.0}) EXPECT_NEAR(meshes::volume(frame_of(morph, share)), meshes::volume(model), 1e-9);
+}
+
 }  // namespace
 }  // namespace homolog

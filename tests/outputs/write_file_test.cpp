@@ -74,6 +74,13 @@ TEST_F(WriteFile, ChangesNothingWhenMakingOneOfThemFailsHalfWay) {
   EXPECT_THAT(names(), UnorderedElementsAre("a"));
 }
 
+TEST_F(WriteFile, KeepsWhatTheResultsWereMadeFrom) {
+  write_file(folder / "a", "old");
+  EXPECT_THROW(write_files({{folder / "b", "new"}, {folder / "." / "a", "new"}}, {folder / "not there", folder / "a"}), OutputError);
+  EXPECT_EQ(read("a"), "old");
+  EXPECT_THAT(names(), UnorderedElementsAre("a"));
+}
+
 TEST_F(WriteFile, NamesTheFileAndTheReason) {
   write_file(folder / "file", "");
   try {

@@ -2,10 +2,13 @@
 // Beyond the paper: points carried from one shape to the other by the warp of a match, each with how far it can be trusted.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 #include "homolog/match/coverage.h"
+#include "homolog/shape/mesh.h"
 
 namespace homolog {
 
@@ -38,6 +41,9 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
 
 /// Whether the map turns right-handed into left-handed.
 Chirality chirality_of(const MatchMap& match);
+
+/// The triangles of a mesh that the map carries, either way: turned over where it mirrors, so that the outer side stays outside.
+std::vector<std::array<std::uint32_t, 3>> carried_triangles(const MatchMap& match, const Mesh& mesh);
 
 enum class Direction { data_from_model, model_from_data };
 

@@ -47,7 +47,9 @@ TransferredAttributes transfer_attributes(const AttributeTransfer& transfer, con
   DenseMap& map = forwards ? maps.model_from_data : maps.data_from_model;
   if (transfer.fill) fill_places(map.places, receiver.mesh, giver.mesh, match, back);
   AttributedMesh carried = carry_attributes(giver, receiver.mesh, map.places, chirality_of(match));
-  write_files(attribute_files(carried, map.places, transfer.out, transfer.from.filename().string()));
+  std::vector<std::filesystem::path> read = transfer.read;
+  read.insert(read.end(), giver.files.begin(), giver.files.end());
+  write_files(attribute_files(carried, map.places, transfer.out, transfer.from.filename().string()), read);
   return {std::move(carried), map.placed, attribute_losses(giver, transfer.out, transfer.from.string())};
 }
 

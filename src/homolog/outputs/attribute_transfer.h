@@ -18,6 +18,7 @@ struct AttributeTransfer {
   std::vector<std::string> labels = {};              ///< fields that are labels, whatever their type
   bool fill = false;                                 ///< what has no place gets what is nearest (fill_places.h)
   ReadLimits limits = {};
+  std::vector<std::filesystem::path> read = {};  ///< other files that must not be overwritten
 };
 
 /// The mesh that receives, and what messages call it.
@@ -37,7 +38,8 @@ struct TransferredAttributes {
   std::vector<std::string> losses;  ///< attribute_losses()
 };
 
-/// Throws FileError, also for a label that the file does not hold and for meshes that lie elsewhere than the shapes lay (misplaced.h).
+/// Throws OutputError, also for a file that was read, and FileError, also for a label that the file does not hold and for meshes that lie
+/// elsewhere than the shapes lay (misplaced.h).
 TransferredAttributes transfer_attributes(const AttributeTransfer& transfer, const MatchMap& match, const Receiver& receiver,
                                           const ShapeNames& names);
 

@@ -44,7 +44,7 @@ ordered_json animation_of(GltfContent& content) {
 }  // namespace
 
 Morph make_morph(const MatchMap& match, const Mesh& model, const DenseMaps& maps) {
-  Morph morph{model, maps.laid_vertices};
+  Morph morph{{model.vertices, carried_triangles(match, model), model.ras}, maps.laid_vertices};
   for (Vec3& vertex : morph.start.vertices) vertex = (match.similarity * vertex.homogeneous()).head<3>();
   return morph;
 }

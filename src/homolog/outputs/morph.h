@@ -16,7 +16,7 @@ struct Morph {
   std::vector<Vec3> end;  ///< its vertices on the data
 };
 
-/// The model laid over the data by the similarity of the match, and by its dense map.
+/// The model laid over the data by the similarity of the match, and by its dense map; its triangles turned over if these mirror.
 Morph make_morph(const MatchMap& match, const Mesh& model, const DenseMaps& maps);
 
 /// The mesh at `share` of the way, 0 the start and 1 the end; vertices go straight.

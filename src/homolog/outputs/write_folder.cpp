@@ -69,12 +69,12 @@ void require_writable_folder(const fs::path& path) {
   if (error) throw OutputError(fmt::format("cannot write into the folder '{}': {}", path.string(), error.message()));
 }
 
-void write_folder(const fs::path& folder, const NamedFiles& files) {
+void write_folder(const fs::path& folder, const NamedFiles& files, const std::vector<fs::path>& read) {
   std::vector<StreamedFile> outputs;
   for (const auto& [name, writing] : files) outputs.push_back({folder / name, writing});
   MadeFolders made(folder);
   const Locked locked(folder);
-  write_files(outputs);
+  write_files(outputs, read);
   made.keep();
 }
 

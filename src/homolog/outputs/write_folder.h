@@ -18,7 +18,8 @@ using NamedFiles = std::vector<std::pair<std::string, Writing>>;
 /// a trial and took away again could be what another one is about to use.
 void require_writable_folder(const std::filesystem::path& path);
 
-/// Makes the folder and those above it, and writes all files or none. Throws OutputError, and takes away again what it made.
-void write_folder(const std::filesystem::path& folder, const NamedFiles& files);
+/// Makes the folder and those above it, and writes all files or none. Throws OutputError, also for one of `read` as write_files() does, and
+/// takes away again what it made.
+void write_folder(const std::filesystem::path& folder, const NamedFiles& files, const std::vector<std::filesystem::path>& read = {});
 
 }  // namespace homolog

@@ -2,6 +2,7 @@
 // What files say of a mesh beside its form.
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
 #include <string>
@@ -30,8 +31,9 @@ struct AttributedMesh {
   Rig rig;              ///< without joints if there is none
   std::vector<ShapeKey> shape_keys;
   std::vector<Animation> animations;
-  std::vector<std::string> missing;   ///< files that the file names and that are not there
-  std::vector<std::string> left_out;  ///< what else the file holds and is not read, as "textures by a second set of UVs"
+  std::vector<std::filesystem::path> files;  ///< that it was read from: the one that was named and those that this names
+  std::vector<std::string> missing;          ///< files that the file names and that are not there
+  std::vector<std::string> left_out;         ///< what else the file holds and is not read, as "textures by a second set of UVs"
 };
 
 /// The bytes of a file that another one names; none if it is not there.

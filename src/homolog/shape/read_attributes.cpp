@@ -14,7 +14,11 @@ namespace homolog {
 AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimits& limits) {
   read_mesh(path, limits);  // which refuses what cannot be used
   const std::string content = read_file(path, limits.bytes), file = path.string();
-  const FindOther find_other = [&](const std::string& name) { return find_beside(path, name, limits.bytes); };
+  std::vector<std::filesystem::path> files{path};
+  const FindOther find_other = [&](const std::string& name) {
+    files.push_back(path.parent_path() / name);
+    return find_beside(path, name, limits.bytes);
+  };
   AttributedMesh mesh;
   if (content.compare(0, 3, "ply") == 0) {
     mesh = read_ply_attributes(content, file, find_other);
@@ -34,6 +38,7 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
   if (told_attributes(mesh).empty()) {
     throw FileError(fmt::format("{}: it says nothing but the form, neither colours nor UVs nor values; export it with them", file));
   }
+  mesh.files = std::move(files);
   return mesh;
 }
 
