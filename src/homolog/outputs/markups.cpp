@@ -29,7 +29,7 @@ ordered_json control_point(const MarkupPoint& point, std::size_t number) {
   return json;
 }
 
-/// The turn of the signs from a markup's coordinates to LPS.
+/// The turn of the signs from a markup's coordinates to LPS, which is the schema's default for "coordinateSystem", too.
 Vec3 lps_signs(const ordered_json& markup, const std::string& file) {
   const std::string system = markup.value("coordinateSystem", "LPS");
   if (system == "LPS") return {1, 1, 1};
