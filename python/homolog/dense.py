@@ -126,5 +126,5 @@ class Morph:
 
 def dense_of(fields: dict[str, Any], model: Shape, data: Shape) -> tuple[Dense, Morph]:
     """From what _core returns."""
-    maps = (DenseMap(**fields[name]) for name in ("data_from_model", "model_from_data"))
-    return Dense(*maps, model, data), Morph(**fields["morph"])
+    there, back = (DenseMap(**fields[name]) for name in ("data_from_model", "model_from_data"))
+    return Dense(there, back, model, data), Morph(**fields["morph"])

@@ -28,7 +28,8 @@ class Landmarks:
     @property
     def there(self) -> np.ndarray:
         """(n,) of bool: which are not missing."""
-        return np.isfinite(self.position).all(axis=1)
+        there: np.ndarray = np.isfinite(self.position).all(axis=1)
+        return there
 
     def __repr__(self) -> str:
         return f"<homolog.Landmarks: {len(self)}, {np.count_nonzero(~self.there)} of them missing>"

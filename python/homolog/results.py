@@ -203,7 +203,7 @@ class Family(Sequence[Match]):
         placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill, names, read)
         for loss in losses:
             warnings.warn(loss, UserWarning, stacklevel=2)
-        return placed
+        return int(placed)
 
     def save(self, folder: str | os.PathLike[str]) -> None:
         """Writes the folder that `homolog match --out` or `homolog symmetry --out` writes, report.html too; homolog.load reads it again.
@@ -257,7 +257,7 @@ class Family(Sequence[Match]):
         return table + doubt + (f"<ol>{said}</ol>" if said else "")
 
 
-def family_of(fields: tuple[tuple, list[dict] | None, _core.Found], model: Shape, data: Shape) -> Family:
+def family_of(fields: tuple[tuple[Any, ...], list[dict[str, Any]] | None, _core.Found], model: Shape, data: Shape) -> Family:
     """From what _core returns."""
     (matches, counts, followed, doubt), symmetries, found = fields
     made = (Match(**{**match, "data_from_model": ThinPlateSpline(**match["data_from_model"])}) for match in matches)

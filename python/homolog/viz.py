@@ -34,6 +34,6 @@ def plotter(family: Family, rank: int = 0, **keywords: Any) -> pyvista.Plotter:
         made.subplot(0, column)
         made.add_mesh(mesh_of(shape, part), scalars="part", clim=(0, 1), cmap=["lightgrey", "teal"], opacity=0.6, show_scalar_bar=False)
         if len(points):
-            made.add_point_labels(points, np.arange(len(points)), point_size=12, font_size=12, always_visible=True, shape_opacity=0.3)
+            made.add_point_labels(points, [str(number) for number in range(len(points))], point_size=12, font_size=12, always_visible=True, shape_opacity=0.3)
         made.add_text(("model" if column == 0 else "data") + (f": {shape.name}" if shape.name else ""), font_size=10)
     return made

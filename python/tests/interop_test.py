@@ -111,7 +111,7 @@ def test_vertices_and_triangles(points):
     assert points_of(SimpleNamespace(vertices=vertices, triangles=faces)) == points
 
 
-def test_open3d(points):  # not of the test extra, for it brings half a gigabyte: pip install open3d-cpu
+def test_open3d(points):  # of no extra, for it brings half a gigabyte and a web server: pip install open3d-cpu
     open3d = pytest.importorskip("open3d", exc_type=ImportError)  # some systems lack a library of it, such as libusb
     vertices, faces = bear_arrays()
     places, triangles = open3d.utility.Vector3dVector(vertices), open3d.utility.Vector3iVector(faces)

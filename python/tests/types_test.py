@@ -21,6 +21,11 @@ WRONG = {
 }
 
 
+def test_the_package_itself_is_typed_throughout(tmp_path):
+    told, _, code = api.run(["--strict", "-p", "homolog", "--cache-dir", str(tmp_path)])
+    assert code == 0, told
+
+
 def test_type_checkers_know_results_and_every_parameter(tmp_path):
     user = tmp_path / "user.py"
     lines = [*RIGHT.splitlines(), *WRONG]

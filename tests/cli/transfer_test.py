@@ -257,29 +257,6 @@ class Transfer(Program):
         self.assertEqual(done.returncode, 0)
         self.assertIn("warning: heart.off: it does not lie where bear.off lay when that was matched; save", done.stderr)
 
-    def test_what_was_read_is_not_overwritten(self):
-        self.painted()
-        with open(self.path("carried.skin.png"), "w") as file:
-            file.write("bytes")
-        with open(self.path("worn.mtl"), "w") as file:
-            file.write("newmtl fur\nmap_Kd carried.skin.png\n")
-        with open(self.path("worn.obj"), "w") as file:
-            lines = self.read("bear.off").splitlines()
-            count = int(lines[1].split()[0])
-            file.write("mtllib worn.mtl\nusemtl fur\nvt 0 0\n" + "".join(f"v {line}\n" for line in lines[2 : 2 + count]))
-            file.writelines("f " + " ".join(f"{int(c) + 1}/1" for c in line.split()[1:]) + "\n" for line in lines[2 + count :])
-        match, lost = "out/match.json", "it was read to make this, and would be lost; choose another name"
-        for file, words in (("painted.ply", ("--attributes", "painted.ply")), ("out/data.part.ply", ("--attributes", "painted.ply")),
-                            ("worn.obj", ("--attributes", "worn.obj")), ("painted.ply", ("--mesh", "painted.ply")),
-                            ("points.csv", ("--points", "points.csv"))):
-            before = self.read(file)
-            self.expect_message(4, f"cannot write './{file}': {lost}", "transfer", match, *words, "--out", f"./{file}")
-            self.assertEqual(self.read(file), before)
-        os.rename(self.path("worn.obj"), self.path("coat.obj"))
-        self.expect_message(4, f"cannot write 'worn.mtl': {lost}", "transfer", match, "--attributes", "coat.obj", "--out", "worn.obj")
-        self.assertFalse(os.path.exists(self.path("worn.obj")))
-        self.expect_message(4, lost, "match", "out/model.part.ply", "bear_bis.off", "--out", "out", *COARSE)
-
     def test_wrong_usage_and_files(self):
         match, points = "out/match.json", ("--points", "points.csv")
         self.expect_message(2, "--out is required", "transfer", match, *points)
