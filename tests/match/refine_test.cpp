@@ -33,6 +33,24 @@ TEST(Refine, AStartThatIsSlightlyOffEndsWithEveryPointAtItself) {
   for (const Correspondence& c : refined.pairs) EXPECT_EQ(c.model, c.data);
 }
 
+// Beyond the cut the data goes on, so the skin alone would not draw a stretched part back.
+TEST(Refine, AStretchTowardsACutIsReleased) {
+  const Shape& hand = described_hand();
+  const Shape fingers = describe_shape(mesh_of(fixtures::hand(), 64), coarse(), Box{{0, 0.4, 0}, {1, 1, 1}});
+  Refined refined = lay_set(start({}), fingers);
+  for (Vec3& node : refined.cloth.nodes) node.y() *= 1.08;
+  const auto mean_error = [&] {
+    double sum = 0;
+    for (std::size_t i = 0; i < fingers.body.nodes.size(); ++i) sum += (refined.cloth.nodes[i] - fingers.body.nodes[i]).norm();
+    return sum / static_cast<double>(fingers.body.nodes.size());
+  };
+  guide_pairs(refined, fingers, hand, DescriptorKind::free);
+  const double drawn = mean_error(), merit = merit_of(refined.evidence);
+  finish(refined, fingers, hand, DescriptorKind::free);
+  EXPECT_LT(mean_error(), 0.9 * drawn);
+  EXPECT_EQ(merit_of(refined.evidence), merit);  // the order of matches is left alone
+}
+
 TEST(Refine, TheMatchTellsItsClothAsASpline) {
   Refined refined = drawn(start({}));
   guide_pairs(refined, described_hand(), described_hand(), DescriptorKind::free);

@@ -84,7 +84,7 @@ Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& 
 ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end) {
   const auto reach = [&](int step) { return at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations); };
   const auto stiffness = [&](int step) { return at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations); };
-  return {end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1)};
+  return {end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1), schedule.give};
 }
 
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
@@ -130,7 +130,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     for (int inner = 0; inner < shape_steps; ++inner) {
       const Eigen::MatrixX3d right = right_side(cloth, model.edges, draw)(order, Eigen::all), places = solver.solve(right);
       for (std::size_t k = 0; k < order.size(); ++k) cloth.nodes[order[k]] = places.row(k);
-      fit_local_frames(cloth, model.edges);
+      fit_local_frames(cloth, model.edges, schedule.give);
     }
   }
 }

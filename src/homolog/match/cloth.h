@@ -18,7 +18,7 @@ struct Cloth {
   std::vector<Mat3> rotations;  ///< local, of the wanted chirality
   std::vector<double> scales;   ///< local
   std::vector<Mat3> rest;       ///< how the body's edges are stretched when nothing draws them, in the model's coordinates
-  std::vector<Mat3> frames;     ///< how they lie there: rotation times stretch, which is half way from the rest to the measured one
+  std::vector<Mat3> frames;     ///< how they lie there: rotation times stretch, which lies between the rest and the measured one
   Chirality chirality = Chirality::proper;
   double scale = 1;  ///< of the whole
 };
@@ -34,11 +34,15 @@ struct LimbPlaces {
   std::vector<LimbPlace> model, data;
 };
 
+/// Share of the measured stretch that the body's edges take over from one step to the next, so that limbs can get longer.
+inline constexpr double usual_give = 0.5;
+
 /// From wide to narrow and from stiff to soft, in geometric steps; lengths in data diagonals.
 struct ClothSchedule {
   int iterations;
   double first_reach, last_reach;
   double first_stiffness, last_stiffness;
+  double give = usual_give;
 };
 
 /// The steps of a schedule from `begin` up to `end`, as a schedule of their own.

@@ -209,7 +209,7 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
   told = believed(std::move(told), model, data, without_identity);
   std::vector<Match> matches(told.size());
   parallel_for(told.size(), [&](std::size_t i) {
-    lengthen_limbs(told[i], model, data, params.descriptor.kind);
+    finish(told[i], model, data, params.descriptor.kind);
     matches[i] = match_of(told[i], model, data, params);
   });
   Family family;

@@ -95,7 +95,7 @@ void turn_four(Mat3* rotations, const Spread* spreads, std::size_t count) {
 
 }  // namespace
 
-void fit_local_frames(Cloth& cloth, const Edges& edges) {
+void fit_local_frames(Cloth& cloth, const Edges& edges, double give) {
   const std::size_t count = cloth.nodes.size();
   std::vector<Spread> spreads(count);
   for (std::size_t i = 0; i < count; ++i) spreads[i] = spread_of(cloth, edges, i);
@@ -107,7 +107,7 @@ void fit_local_frames(Cloth& cloth, const Edges& edges) {
     cloth.scales[i] = std::sqrt(measured * cloth.scale);
     const Mat3 turned_back = cloth.rotations[i].transpose() * spreads[i].covariance;
     const Mat3 gradient = (turned_back + flat_share * edges.square[i] * cloth.scale * Mat3::Identity()) * edges.inverse[i];
-    stretch[i] = 0.5 * cloth.rest[i] + 0.25 * (gradient + gradient.transpose());
+    stretch[i] = (1 - give) * cloth.rest[i] + 0.5 * give * (gradient + gradient.transpose());
   }
   stretch = smoothed(stretch, edges);
   for (std::size_t i = 0; i < count; ++i) cloth.frames[i] = cloth.rotations[i] * stretch[i];

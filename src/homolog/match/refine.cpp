@@ -22,8 +22,10 @@ constexpr ClothSchedule first_draw{first_steps, 0.06, 0.015, 2, 0.2};
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule limb_draw{10, 0.08, 0.02, 0.7, 0.2};
 constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
+constexpr ClothSchedule unstretched_draw{14, 0.03, 0.03, 2.8, 2.8, 0};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
+constexpr double worth_lengthening = 0.06;                           // merit
 constexpr double told_place = 0.05;                                  // extents: the least limit of pairs told in the end
 
 // The refined map as a spline through the cloth's nodes, so that any reader can apply it (Sec. 6.1).
@@ -95,6 +97,26 @@ void pair_up(Refined& refined, const Shape& model, const Shape& data, Descriptor
   rate_pairs(refined.pairs, refined.cloth, merit_of(refined.evidence), extent, model, data, kind);
 }
 
+// What the data has beyond the border of a part draws that border on, and nothing draws it back: drawn again as if its edges could not
+// stretch, and by the last draw, the cloth may lie better.
+void release_stretch(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  Refined released = refined;
+  draw_onto(released.cloth, model, data, anchors_of(released.pairs, model.body), unstretched_draw, data_samples);
+  settle(released, model, data, kind);
+  if (merit_of(released.evidence) >= merit_of(refined.evidence)) refined = std::move(released);
+}
+
+// Limbs whose ends fell short or went too far are laid at full length, unless that makes the whole lie much worse: where a part is cut off
+// it has corners that look like ends.
+void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  Refined lengthened = refined;
+  const std::vector<Anchor> tips = lay_limbs_of_other_length(lengthened.cloth, model, data);
+  if (tips.empty()) return;
+  draw_onto(lengthened.cloth, model, data, tips, last_draw, last_data_samples);
+  weigh_again(lengthened, model, data, kind);
+  if (merit_of(lengthened.evidence) >= merit_of(refined.evidence) - worth_lengthening) refined = std::move(lengthened);
+}
+
 }  // namespace
 
 Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
@@ -113,10 +135,11 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
   pair_up(refined, model, data, kind);
 }
 
-void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
-  const std::vector<Anchor> tips = lay_limbs_of_other_length(refined.cloth, model, data);
-  if (tips.empty()) return;
-  draw_onto(refined.cloth, model, data, tips, last_draw, last_data_samples);
+void finish(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  Refined laid = refined;
+  release_stretch(laid, model, data, kind);
+  lengthen_limbs(laid, model, data, kind);
+  refined.cloth = std::move(laid.cloth);
   pair_up(refined, model, data, kind);
 }
 

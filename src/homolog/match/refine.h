@@ -29,9 +29,9 @@ void draw_set(Refined& refined, const Shape& model, const Shape& data, Descripto
 /// Rounds of pairs guided by the cloth and of drawing with them.
 void guide_pairs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
 
-/// Lays limbs whose ends fell short or went too far at full length, draws on and pairs again. The evidence stays: what may be lengthened at
-/// will fits anywhere, so the order of matches is that of cloths which keep their proportions.
-void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
+/// Releases what is stretched without need, lays limbs at full length, and pairs again. The evidence stays: those that lie wrong get better
+/// by this, too, and what may be lengthened at will fits anywhere, so the order of matches is that of cloths which keep their proportions.
+void finish(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind);
 
 /// The match with the pairs that are told and its warp; followed pairs have no number yet (data -1). Chamfer and the final handedness are
 /// left to the family.
