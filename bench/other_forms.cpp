@@ -56,6 +56,15 @@ Mesh soup(const Mesh& mesh, double missing, double turned) {
   return result;
 }
 
+/// A soup without holes whose corners are moved by normal noise (in shares of the diagonal), as rounding leaves them.
+Mesh moved_seams(const Mesh& mesh, double noise) {
+  Random random(1, "seams");
+  const double size = noise * bounding_box(mesh).diagonal();
+  Mesh result = soup(mesh, 0, 0.3);
+  for (Vec3& vertex : result.vertices) vertex += size * Vec3(random.normal(), random.normal(), random.normal());
+  return result;
+}
+
 /// As a segmentation would have it: a voxel belongs to the label when more than half of it is inside.
 Mesh labelled(const Mesh& mesh, int resolution) {
   const Interior interior = voxelize(mesh, resolution).interior;
@@ -94,6 +103,7 @@ std::vector<NamedMesh> other_forms(const Mesh& mesh) {
   return {{"remeshed", remeshed(mesh)},
           {"5 % of the triangles", coarsened(mesh, 0.05)},
           {"soup", soup(mesh, 0.1, 0.3)},
+          {"seams moved", moved_seams(mesh, 1e-9)},
           {"label volume, 128", labelled(mesh, 128)},
           {"label volume, 256", labelled(mesh, 256)},
           {"5 000 points", cloud_surface(sampled(mesh, 5000, 0), "the point cloud")},

@@ -56,6 +56,41 @@ TEST(Orient, TurnsReversedSolidsThatAreNotInside) {
   EXPECT_NEAR(oriented_volume(meshes::joined(a, meshes::reversed(across))), 8 + 8, 1e-12);
 }
 
+/// Every triangle with corners of its own, each moved by up to `gap` along every axis.
+Mesh soup_of(const Mesh& mesh, double gap) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> moved(-gap, gap);
+  Mesh soup;
+  for (const auto& triangle : mesh.triangles) {
+    const auto n = static_cast<std::uint32_t>(soup.vertices.size());
+    for (const std::uint32_t corner : triangle)
+      soup.vertices.push_back(mesh.vertices[corner] + Vec3(moved(random), moved(random), moved(random)));
+    soup.triangles.push_back({n, n + 1, n + 2});
+  }
+  return soup;
+}
+
+TEST(Orient, ClosesSeamsThatRoundingOpened) {
+  const Mesh torus = meshes::torus(1, 0.3, 40, 20);
+  for (const double gap : {1e-15, 1e-9, 1e-7, 5e-6}) {
+    const OrientedSurface surface = orient(scrambled(soup_of(torus, gap), 1));
+    EXPECT_TRUE(surface.closed());
+    EXPECT_EQ(surface.components, 1u);
+    EXPECT_NEAR(meshes::volume({soup_of(torus, gap).vertices, surface.triangles}), meshes::volume(torus), 10 * gap + 1e-12);
+  }
+  EXPECT_EQ(orient(soup_of(torus, 1e-3)).components, torus.triangles.size());
+}
+
+TEST(Orient, WeldsNoDetail) {  // a torus whose triangles are smaller than gaps may be, open, beside a large box that is open too
+  Mesh tiny = meshes::moved(meshes::torus(1, 0.3, 40, 20), 1e-5 * Mat3::Identity(), Vec3::Zero());
+  tiny.triangles.pop_back();
+  Mesh both = meshes::joined(meshes::box({1, 1, 1}, {2, 2, 2}), tiny);
+  both.triangles.erase(both.triangles.begin());
+  const OrientedSurface surface = orient(both);
+  EXPECT_EQ(surface.triangles, both.triangles);
+  EXPECT_EQ(surface.components, 2u);
+}
+
 TEST(Orient, JoinsFacesByPosition) {
   Mesh soup;
   const Mesh box = scrambled(meshes::box({0, 0, 0}, {1, 1, 1}), 5);

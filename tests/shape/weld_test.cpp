@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace homolog {
 namespace {
 
@@ -15,6 +17,27 @@ TEST(Weld, JoinsEqualPositionsInOrderOfFirstOccurrence) {
 
 TEST(Weld, KeepsVerticesThatAreOnlyNear) {
   EXPECT_EQ(first_equal_vertex({{0, 0, 0}, {1e-300, 0, 0}, {0, 0, 0}}), (std::vector<std::uint32_t>{0, 1, 0}));
+}
+
+TEST(Weld, TheNearestLeaderIsThatOfAllPairs) {
+  std::mt19937 random(1);
+  std::uniform_real_distribution<double> coordinate(-1, 1);
+  std::vector<Vec3> places;
+  for (int i = 0; i < 2000; ++i) places.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+  std::vector<std::uint8_t> loose(places.size());
+  for (std::size_t i = 0; i < loose.size(); ++i) loose[i] = i % 5 != 0;
+  const double distance = 0.1;
+  const std::vector<std::uint32_t> leader = nearest_leader(places, loose, distance);
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    std::uint32_t expected = i;
+    double nearest = distance;
+    for (std::uint32_t j = 0; j < i && loose[i]; ++j) {
+      if (!loose[j] || leader[j] != j || (places[i] - places[j]).norm() >= nearest) continue;
+      expected = j;
+      nearest = (places[i] - places[j]).norm();
+    }
+    EXPECT_EQ(leader[i], expected);
+  }
 }
 
 }  // namespace

@@ -13,6 +13,9 @@
 namespace homolog {
 namespace {
 
+constexpr double seam_gap = 1e-5;  // of the diagonal: what rounding leaves between corners that were one
+constexpr double least_side = 10;  // gaps, of triangles whose corners are welded
+
 /// One side of a triangle: `key` names the edge whichever way it runs.
 struct Side {
   std::uint64_t key;
@@ -50,6 +53,41 @@ void for_each_edge(const std::vector<Side>& sides, const Body& body) {
     while (last < sides.size() && sides[last].key == sides[first].key) ++last;
     body(first, last);
   }
+}
+
+/// Vertices at sides that run along no other.
+std::vector<std::uint8_t> open_vertices(const std::vector<Side>& sides, std::size_t count) {
+  std::vector<std::uint8_t> open(count, 0);
+  for_each_edge(sides, [&](std::size_t first, std::size_t last) {
+    if (last - first == 1) open[sides[first].key >> 32] = open[sides[first].key & 0xffffffff] = 1;
+  });
+  return open;
+}
+
+/// Keeps the corners of triangles with a side below `least` where they are.
+void fasten_small_triangles(const std::vector<Triangle>& triangles, const Mesh& mesh, const std::vector<std::uint32_t>& vertex,
+                            double least, std::vector<std::uint8_t>& loose) {
+  for (const Triangle& t : triangles) {
+    for (int k = 0; k < 3; ++k) {
+      const std::uint32_t a = vertex[t[k]], b = vertex[t[(k + 1) % 3]];
+      if ((mesh.vertices[a] - mesh.vertices[b]).norm() < least) loose[a] = loose[b] = 0;
+    }
+  }
+}
+
+/// Closes seams whose corners lie a little apart, for the triangles and `vertex`; false when there are none.
+bool weld_seams(const std::vector<Side>& sides, const Mesh& mesh, std::vector<std::uint32_t>& vertex, std::vector<Triangle>& triangles) {
+  std::vector<std::uint8_t> loose = open_vertices(sides, vertex.size());
+  if (std::find(loose.begin(), loose.end(), 1) == loose.end()) return false;
+  const double gap = seam_gap * bounding_box(mesh).diagonal();
+  fasten_small_triangles(triangles, mesh, vertex, least_side * gap, loose);
+  const std::vector<std::uint32_t> leader = nearest_leader(mesh.vertices, loose, gap);
+  if (std::all_of(vertex.begin(), vertex.end(), [&](std::uint32_t v) { return leader[v] == v; })) return false;
+  for (std::uint32_t& v : vertex) v = leader[v];
+  for (Triangle& t : triangles) {
+    for (std::uint32_t& corner : t) corner = vertex[corner];
+  }
+  return true;
 }
 
 struct Neighbour {
@@ -181,12 +219,13 @@ bool leave_out_copies(const std::vector<Side>& sides, const std::vector<std::uin
 }  // namespace
 
 OrientedSurface orient(const Mesh& mesh) {
-  const std::vector<std::uint32_t> vertex = first_equal_vertex(mesh.vertices);
+  std::vector<std::uint32_t> vertex = first_equal_vertex(mesh.vertices);
   OrientedSurface surface;
   for (const Triangle& t : mesh.triangles) {
     if (vertex[t[0]] != vertex[t[1]] && vertex[t[1]] != vertex[t[2]] && vertex[t[2]] != vertex[t[0]]) surface.triangles.push_back(t);
   }
   std::vector<Side> sides = sorted_sides(surface.triangles, vertex);
+  if (weld_seams(sides, mesh, vertex, surface.triangles)) sides = sorted_sides(surface.triangles, vertex);
   if (leave_out_copies(sides, vertex, surface.triangles)) sides = sorted_sides(surface.triangles, vertex);
   const Neighbourhood neighbours = find_neighbours(sides, surface.triangles.size());
   std::vector<Component> components = flood(surface.triangles, neighbours, mesh);

@@ -17,6 +17,7 @@ struct OrientedSurface {
   bool closed() const { return open == 0; }
 };
 
+/// Welds vertices at equal places, and at open seams those a hundred-thousandth of the diagonal apart, where the triangles are much larger.
 /// Turns triangles so that neighbours agree, and whole components so that solids have positive volume: a reversed component inside
 /// another one stays, as its cavity. Components that are far from closed keep the orientation most of their triangles have in the file.
 /// Of triangles with the same corners and front one is kept; of a surface that has every triangle with both fronts, one side.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/weld.h"
 
+#include <algorithm>
 #include <bit>
 #include <limits>
 
@@ -20,7 +21,52 @@ std::uint64_t hash_of(const Vec3& place) {
   return hash;
 }
 
+/// Leaders in cells twice as wide as the distance: what is near a place lies in the eight cells around the corner nearest to it.
+struct LeaderTable {
+  const std::vector<Vec3>& vertices;
+  double distance;
+  std::vector<std::uint32_t> slots;
+
+  Vec3 cell_of(const Vec3& place) const { return (place / (2 * distance)).array().floor(); }
+};
+
+void add_leader(LeaderTable& table, std::uint32_t vertex) {
+  std::size_t slot = hash_of(table.cell_of(table.vertices[vertex])) & (table.slots.size() - 1);
+  while (table.slots[slot] != none) slot = (slot + 1) & (table.slots.size() - 1);
+  table.slots[slot] = vertex;
+}
+
+std::uint32_t find_leader(const LeaderTable& table, const Vec3& place) {
+  std::uint32_t found = none;
+  double nearest = table.distance;
+  const Vec3 lowest = table.cell_of(place - Vec3::Constant(table.distance));
+  for (int i = 0; i < 8; ++i) {
+    const Vec3 cell = lowest + Vec3(i & 1, i >> 1 & 1, i >> 2 & 1);
+    std::size_t slot = hash_of(cell) & (table.slots.size() - 1);
+    for (; table.slots[slot] != none; slot = (slot + 1) & (table.slots.size() - 1)) {
+      const double away = (table.vertices[table.slots[slot]] - place).norm();
+      if (away > nearest || (away == nearest && table.slots[slot] > found)) continue;
+      found = table.slots[slot];
+      nearest = away;
+    }
+  }
+  return found;
+}
+
 }  // namespace
+
+std::vector<std::uint32_t> nearest_leader(const std::vector<Vec3>& vertices, const std::vector<std::uint8_t>& loose, double distance) {
+  const auto count = static_cast<std::size_t>(std::count(loose.begin(), loose.end(), 1));
+  LeaderTable table{vertices, distance, std::vector<std::uint32_t>(std::bit_ceil(2 * count + 1), none)};
+  std::vector<std::uint32_t> leader(vertices.size());
+  for (std::uint32_t i = 0; i < vertices.size(); ++i) {
+    leader[i] = loose[i] ? find_leader(table, vertices[i]) : i;
+    if (leader[i] != none) continue;
+    leader[i] = i;
+    add_leader(table, i);
+  }
+  return leader;
+}
 
 std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices) {
   std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), none), first(vertices.size());
