@@ -12,6 +12,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/surface_nets.h"
+#include "homolog/shape/thin_cells.h"
 
 namespace homolog {
 namespace {
@@ -34,7 +35,7 @@ std::set<long long> labels_of(const RawVolume& volume, const std::string& file) 
     const double value = whole(volume.value(i));
     if (value == last) continue;
     last = value;
-    if (!(std::abs(value) < 1e15) || value != std::floor(value)) {
+    if (!(std::abs(value) <= static_cast<double>(largest_label)) || value != std::floor(value)) {
       throw FileError(fmt::format("{}: voxel {} holds {}, but labels are whole numbers; segment the scan first", file, i, value));
     }
     labels.insert(static_cast<long long>(value));
@@ -95,6 +96,19 @@ Crop crop_to(const RawVolume& volume, const Inside& inside) {
   return crop;
 }
 
+template <class Inside>
+SolidVoxels solid_in(const Crop& crop, const RawVolume& volume, const Inside& inside) {
+  SolidVoxels solid;
+  for (int axis = 0; axis < 3; ++axis) solid.size[axis] = static_cast<int>(crop.end[axis] - crop.first[axis]);
+  for (std::int64_t z = crop.first[2]; z < crop.end[2]; ++z) {
+    for (std::int64_t y = crop.first[1]; y < crop.end[1]; ++y) {
+      const std::int64_t row = (z * volume.size[1] + y) * volume.size[0];
+      for (std::int64_t x = crop.first[0]; x < crop.end[0]; ++x) solid.inside.push_back(inside(static_cast<std::size_t>(row + x)));
+    }
+  }
+  return solid;
+}
+
 }  // namespace
 
 Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file) {
@@ -107,16 +121,13 @@ Mesh label_surface(const RawVolume& volume, const Label& label, const std::strin
                     file, wanted, wanted));
   }
   const Crop crop = crop_to(volume, inside);
-  SliceField field;
-  for (int axis = 0; axis < 3; ++axis) field.size[axis] = static_cast<int>(crop.end[axis] - crop.first[axis]);
-  field.fill = [&](int z, std::vector<float>& slice) {
-    std::size_t next = 0;
-    for (std::int64_t y = crop.first[1]; y < crop.end[1]; ++y) {
-      const std::int64_t row = ((crop.first[2] + z) * volume.size[1] + y) * volume.size[0];
-      for (std::int64_t x = crop.first[0]; x < crop.end[0]; ++x) slice[next++] = inside(static_cast<std::size_t>(row + x)) ? 1 : 0;
-    }
-  };
-  Mesh mesh = surface_nets(field, rounds);
+  const SolidVoxels solid = solid_in(crop, volume, inside);
+  const auto slice_size = static_cast<std::ptrdiff_t>(solid.size[0]) * solid.size[1];
+  const SliceField field{solid.size, [&](int z, std::vector<float>& slice) {
+                           const auto first_of_slice = solid.inside.begin() + z * slice_size;
+                           std::copy(first_of_slice, first_of_slice + slice_size, slice.begin());
+                         }};
+  Mesh mesh = surface_nets(field, rounds, [&](const std::array<int, 3>& cell) { return is_thin(solid, cell); });
   const Vec3 first(static_cast<double>(crop.first[0]), static_cast<double>(crop.first[1]), static_cast<double>(crop.first[2]));
   const Mat3 axes = volume.world_from_voxel.topLeftCorner<3, 3>();
   const Vec3 origin = volume.world_from_voxel.topRightCorner<3, 1>();

@@ -15,10 +15,12 @@ constexpr auto none = std::numeric_limits<std::uint32_t>::max();
 /// Slices with one empty value around; cell (x, y) lies between the values (x, y) and (x + 1, y + 1) of two of them.
 struct Net {
   const SliceField& field;
+  const IsStill& is_still;
   std::size_t width, height;            // of a padded slice
   std::vector<float> below, above;      // the values of two neighbouring slices
   std::vector<std::uint32_t> old, now;  // the vertices of the cells under `below` and between the two
   std::vector<Vec3> vertices, middles;  // middles: of their cells
+  std::vector<bool> still;              // vertices that are not smoothed
   std::vector<std::array<std::uint32_t, 4>> quads;
 };
 
@@ -61,9 +63,11 @@ void place_vertices(Net& net, int z) {
       net.now[i] = none;
       if (!mean_crossing(corner, mean)) continue;
       net.now[i] = static_cast<std::uint32_t>(net.vertices.size());
-      const Vec3 origin(static_cast<double>(x) - 1, static_cast<double>(y) - 1, z);  // the padding comes off
-      net.vertices.push_back(origin + mean);
+      const std::array<int, 3> cell{static_cast<int>(x) - 1, static_cast<int>(y) - 1, z};  // the padding comes off
+      const Vec3 origin(cell[0], cell[1], cell[2]);
       net.middles.push_back(origin + Vec3::Constant(0.5));
+      net.still.push_back(net.is_still && net.is_still(cell));
+      net.vertices.push_back(net.still.back() ? net.middles.back() : origin + mean);
     }
   }
 }
@@ -102,6 +106,7 @@ void smooth(Net& net, double share) {
   }
   const Vec3 half = Vec3::Constant(0.5);
   for (std::size_t i = 0; i < sums.size(); ++i) {
+    if (net.still[i]) continue;
     const Vec3 moved = net.vertices[i] + share * (sums[i] / counts[i] - net.vertices[i]);
     net.vertices[i] = moved.cwiseMax(net.middles[i] - half).cwiseMin(net.middles[i] + half);
   }
@@ -109,11 +114,11 @@ void smooth(Net& net, double share) {
 
 }  // namespace
 
-Mesh surface_nets(const SliceField& field, int rounds) {
+Mesh surface_nets(const SliceField& field, int rounds, const IsStill& is_still) {
   const auto width = static_cast<std::size_t>(field.size[0]) + 2, height = static_cast<std::size_t>(field.size[1]) + 2;
   const std::vector<float> empty(width * height, 0);
   const std::vector<std::uint32_t> no_cells(width * height, none);
-  Net net{field, width, height, empty, empty, no_cells, no_cells, {}, {}, {}};
+  Net net{field, is_still, width, height, empty, empty, no_cells, no_cells, {}, {}, {}, {}};
   for (int z = -1; z < field.size[2]; ++z) {
     load(net, z + 1, net.above);
     place_vertices(net, z);
