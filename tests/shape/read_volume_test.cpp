@@ -60,6 +60,43 @@ TEST_F(ReadVolume, EveryFormatLiesInTheSamePlace) {
   }
 }
 
+std::string widened(const std::string& voxels, std::size_t bytes) {
+  std::string wide;
+  for (const char voxel : voxels) wide += voxel + std::string(bytes - 1, '\0');
+  return wide;
+}
+
+TEST_F(ReadVolume, NrrdTypesHaveManyNames) {
+  const std::pair<std::size_t, std::vector<std::string>> names[] = {
+      {1, {"signed char", "int8", "int8_t", "uchar", "unsigned char", "uint8", "uint8_t"}},
+      {2, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {2, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {4, {"int", "signed int", "int32", "int32_t", "uint", "unsigned int", "uint32", "uint32_t"}},
+      {8, {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+      {8, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}}};
+  for (const auto& [bytes, types] : names) {
+    for (const std::string& type : types) {
+      SCOPED_TRACE(type);
+      expect_box_of_ones(read("a.nrrd", volumes::nrrd(false, true, "endian: little\n", widened(volumes::voxels(), bytes), type)));
+    }
+  }
+  expect_error("a.nrrd", volumes::nrrd(false, true, "", volumes::voxels(), "block"), "the type 'block' is not read");
+}
+
+TEST_F(ReadVolume, MetaImageIsReadAsOthersWriteIt) {
+  std::string tight = volumes::metaimage(false, "Local");
+  for (std::size_t at = 0; (at = tight.find(" = ", at)) != tight.npos;) tight.replace(at, 3, "=");
+  expect_box_of_ones(read("a.mha", tight + volumes::voxels()));
+}
+
+TEST_F(ReadVolume, AQuaternionThatIsTooLongTurnsAsOneOfLengthOne) {
+  std::string turned = volumes::nifti(false), longer = turned;
+  volumes::put<float>(turned, 256, 1, std::endian::little);  // quatern_b: half a turn about x
+  volumes::put<float>(longer, 256, 3, std::endian::little);
+  const Box box = bounding_box(read("a.nii", turned)), same = bounding_box(read("b.nii", longer));
+  EXPECT_LT((box.min - same.min).norm() + (box.max - same.max).norm(), 1e-9);
+}
+
 TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
   write("voxels.raw", "skipped" + volumes::voxels());
   expect_box_of_ones(read("a.nhdr", volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: 7\n", "")));

@@ -87,10 +87,11 @@ inline std::string nifti2(std::endian order = std::endian::big) {
 }
 
 /// The same place as nifti(), as RAS or as LPS.
-inline std::string nrrd(bool gzip = false, bool ras = true, const std::string& extra = "", const std::string& content = voxels()) {
+inline std::string nrrd(bool gzip = false, bool ras = true, const std::string& extra = "", const std::string& content = voxels(),
+                        const std::string& type = "uchar") {
   const std::string sign = ras ? "" : "-";
-  const std::string header = "NRRD0004\n# made in code\ntype: uchar\ndimension: 3\nspace: " +
-                             std::string(ras ? "right-anterior-superior" : "left-posterior-superior") +
+  const std::string header = "NRRD0004\n# made in code\ntype: " + type +
+                             "\ndimension: 3\nspace: " + std::string(ras ? "right-anterior-superior" : "left-posterior-superior") +
                              "\nsizes: 8 6 5\nspace directions: (" + sign + "2,0,0) (0," + sign +
                              "3,0) (0,0,4)\nkinds: domain domain domain\nencoding: " + (gzip ? "gzip" : "raw") + "\nspace origin: (" +
                              sign + "10," + sign + "20,30)\nowner:=nobody\n" + extra + "\n";

@@ -8,15 +8,16 @@
 namespace homolog {
 namespace {
 
-/// All lines `Key = Value` up to ElementDataFile, which ends the header.
+/// All lines `Key = Value`, with blanks or without, up to ElementDataFile, which ends the header.
 HeaderFields read_fields(Text& text) {
   HeaderFields fields;
   std::string_view line;
   while (next_line(text, line)) {
-    const std::string_view whole = line, key = take_word(line);
-    if (key.empty()) continue;
-    if (take_word(line) != "=") fail(text, fmt::format("'{}' is not of the form 'Key = Value'; the file is damaged", shown(whole)));
-    add_field(text, fields, std::string(key), line);
+    if (line.find_first_not_of(" \t") == line.npos) continue;
+    const std::size_t equals = line.find('=');
+    if (equals == line.npos) fail(text, fmt::format("'{}' is not of the form 'Key = Value'; the file is damaged", shown(line)));
+    const std::string key = rest_of(line.substr(0, equals));
+    add_field(text, fields, key, line.substr(equals + 1));
     if (key == "ElementDataFile") return fields;
   }
   fail(text, "the header ends without ElementDataFile; the file is truncated or not a MetaImage");
@@ -86,7 +87,7 @@ RawVolume read_metaimage(std::string_view content, const std::string& file, cons
                       whole(text, fields, "HeaderSize", 0)};
   if (stored.skip < -1) fail(text, "HeaderSize is below -1; the file is damaged");
   if (stored.other.empty()) fail(text, "ElementDataFile does not say where the voxels are; the file is damaged");
-  if (stored.other == "LOCAL") stored.other.clear();
+  if (lower(stored.other) == "local") stored.other.clear();
   take_voxels(volume, text.rest, stored, read_other, file);
   return volume;
 }

@@ -73,7 +73,7 @@ Mat4 qform_of(const Header& header) {
   const double b = header.real(layout.quaternion, 0), c = header.real(layout.quaternion, 1), d = header.real(layout.quaternion, 2);
   const double a = std::sqrt(std::max(0.0, 1 - (b * b + c * c + d * d)));
   Mat4 world = Mat4::Identity();
-  world.topLeftCorner<3, 3>() = Eigen::Quaterniond(a, b, c, d).toRotationMatrix();
+  world.topLeftCorner<3, 3>() = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix();  // three may be too long, as rounded
   for (int axis = 0; axis < 3; ++axis) {
     world.col(axis) *= header.real(layout.pixdim, static_cast<std::size_t>(axis) + 1);
     world(axis, 3) = header.real(layout.shift, static_cast<std::size_t>(axis));

@@ -3,6 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <utility>
+#include <vector>
+
 #include "homolog/shape/header_fields.h"
 
 namespace homolog {
@@ -25,20 +29,20 @@ HeaderFields read_fields(Text& text) {
 }
 
 NumberType type_of(const Text& text, const HeaderField& field) {
-  static constexpr std::pair<std::string_view, NumberType> types[] = {
-      {"signed char", NumberType::int8},    {"int8", NumberType::int8},           {"int8_t", NumberType::int8},
-      {"uchar", NumberType::uint8},         {"unsigned char", NumberType::uint8}, {"uint8", NumberType::uint8},
-      {"uint8_t", NumberType::uint8},       {"short", NumberType::int16},         {"int16", NumberType::int16},
-      {"int16_t", NumberType::int16},       {"ushort", NumberType::uint16},       {"unsigned short", NumberType::uint16},
-      {"uint16", NumberType::uint16},       {"uint16_t", NumberType::uint16},     {"int", NumberType::int32},
-      {"int32", NumberType::int32},         {"int32_t", NumberType::int32},       {"uint", NumberType::uint32},
-      {"unsigned int", NumberType::uint32}, {"uint32", NumberType::uint32},       {"uint32_t", NumberType::uint32},
-      {"longlong", NumberType::int64},      {"int64", NumberType::int64},         {"int64_t", NumberType::int64},
-      {"ulonglong", NumberType::uint64},    {"uint64", NumberType::uint64},       {"uint64_t", NumberType::uint64},
-      {"float", NumberType::float32},       {"double", NumberType::float64}};
+  static const std::pair<NumberType, std::vector<std::string_view>> types[] = {
+      {NumberType::int8, {"signed char", "int8", "int8_t"}},
+      {NumberType::uint8, {"uchar", "unsigned char", "uint8", "uint8_t"}},
+      {NumberType::int16, {"short", "short int", "signed short", "signed short int", "int16", "int16_t"}},
+      {NumberType::uint16, {"ushort", "unsigned short", "unsigned short int", "uint16", "uint16_t"}},
+      {NumberType::int32, {"int", "signed int", "int32", "int32_t"}},
+      {NumberType::uint32, {"uint", "unsigned int", "uint32", "uint32_t"}},
+      {NumberType::int64, {"longlong", "long long", "long long int", "signed long long", "signed long long int", "int64", "int64_t"}},
+      {NumberType::uint64, {"ulonglong", "unsigned long long", "unsigned long long int", "uint64", "uint64_t"}},
+      {NumberType::float32, {"float"}},
+      {NumberType::float64, {"double"}}};
   const std::string name = lower(rest_of(field.text));
-  for (const auto& [word, type] : types) {
-    if (word == name) return type;
+  for (const auto& [type, names] : types) {
+    if (std::find(names.begin(), names.end(), name) != names.end()) return type;
   }
   fail({text.file, {}, field.line}, fmt::format("the type '{}' is not read; save the volume with whole numbers", shown(name)));
 }
