@@ -62,8 +62,10 @@ def names(v, f):
     yield "no ending", bear.off(v, f).encode(), POINTS
     scene, data = mesh_files.gltf_parts(v, f)
     yield "glb inside.obj", mesh_files.glb_of({**scene, "nodes": [{"mesh": 0}]}, data), POINTS
-    yield "fbx inside.obj", fbx_files.fbx_binary(v, f), "rename it to end in .fbx"
-    yield "collada inside.xml", mesh_files.collada(v, f), "rename it to end in .dae"
+    yield "fbx inside.obj", fbx_files.fbx_binary(v, f), POINTS
+    yield "collada inside.xml", mesh_files.collada(v, f).replace(b"1 2 3</tr", b"0 0 0</tr"), POINTS
+    yield "3mf inside.zip", mesh_files.threemf(mesh_files.model_of_3mf(v, f)), POINTS
+    yield "ac3d inside.stl", mesh_files.ac3d(v, f), POINTS
     yield "mesh.obj.gz", gzip.compress(obj(v, f), mtime=0), "unpack it first"
     yield "mesh.zip", mesh_files.zipped({"mesh.obj": obj(v, f)}), "unpack it first"
 

@@ -31,6 +31,12 @@ TEST_F(Read3mf, LeavesOutWhatIsNotPrinted) {
   expect_error("a.3mf", zip::threemf(zip::model(support, R"(<item objectid="7"/>)")), "no triangles");
 }
 
+TEST_F(Read3mf, IsKnownByWhatIsInIt) { EXPECT_EQ(read("a.zip", zip::threemf(zip::model())).triangles.size(), 4u); }
+
+TEST_F(Read3mf, TellsThatNothingIsBuilt) {
+  expect_error("a.3mf", zip::threemf(with(zip::model(), R"(<item objectid="1"/>)", "")), "none of its objects is to be built");
+}
+
 TEST_F(Read3mf, RefusesWhatIsMissingOrDamaged) {
   const std::string model = zip::model(), whole = zip::threemf(model);
   expect_error("a.3mf", "PK", "archive cannot be opened");

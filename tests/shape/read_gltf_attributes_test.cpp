@@ -240,7 +240,7 @@ TEST(ReadGltfAttributes, RefusesWhatIsDamaged) {
               }),
               HasSubstr("skin 0 has fewer inverse bind matrices than joints"));
   EXPECT_THAT(refusal([](File& f) { f.json["skins"][0]["joints"] = {2, 44}; }), HasSubstr("number 44 of its nodes does not exist"));
-  EXPECT_THAT(refusal([](File& f) { f.json["nodes"][4]["children"] = {1}; }), HasSubstr("node 1 hangs on two others"));
+  EXPECT_THAT(refusal([](File& f) { f.json["nodes"][4]["children"] = {1}; }), HasSubstr("node 1 stands in two places"));
   EXPECT_THAT(refusal([](File& f) { f.json["nodes"][0]["scale"] = {1, "a", 2}; }), HasSubstr("'scale' is not 3 finite numbers"));
   EXPECT_THAT(refusal([](File& f) { f.primitive()["material"] = 5; }), HasSubstr("material 5 does not exist"));
   EXPECT_THAT(refusal([](File& f) { f.json["textures"][0]["source"] = 5; }), HasSubstr("image 5 does not exist"));

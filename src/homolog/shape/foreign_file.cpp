@@ -17,6 +17,14 @@ struct Kind {
   std::string_view begin, what;
 };
 
+/// By their endings: volumes of other programs, which begin like anything.
+constexpr Kind endings[] = {
+    {".mgz", "a volume of FreeSurfer; save it as NIfTI (mri_convert)"},
+    {".mgh", "a volume of FreeSurfer; save it as NIfTI (mri_convert)"},
+    {".hdr", "the header of a volume, or a picture; save header and voxels as one .nii"},
+    {".img", "the voxels of a volume without their header; save both as one .nii"},
+};
+
 constexpr Kind kinds[] = {
     {"version https://git-lfs", "the placeholder of a large file in git; fetch the file itself (git lfs pull)"},
     {"\x1f\x8b"sv, "compressed by gzip; unpack it first"},
@@ -47,32 +55,21 @@ constexpr Kind tags[] = {
     {"<gifti", "a GIFTI file; save the surface as PLY or STL"},
 };
 
-struct Scene {
-  std::string_view begin, extension, what;
-};
-
-constexpr Scene scenes[] = {
-    {"Kaydara FBX Binary", ".fbx", "an FBX file"},
-    {"; FBX", ".fbx", "an FBX file"},
-    {"AC3Db", ".ac", "an AC3D file"},
-};
-
 [[noreturn]] void refuse(const std::string& file, std::string_view what) { throw FileError(fmt::format("{}: this is {}", file, what)); }
 
-void refuse_markup(std::string_view start, const std::string& extension, const std::string& file) {
+void refuse_markup(std::string_view start, const std::string& file) {
   const std::string text = lower(start);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string::npos || text[first] != '<') return;
   for (const Kind& kind : tags) {
     if (text.find(kind.begin) != std::string::npos) refuse(file, kind.what);
   }
-  if (extension != ".dae" && text.find("<collada") != std::string::npos) refuse(file, "a COLLADA file; rename it to end in .dae");
 }
 
 void refuse_zip(std::string_view start, const std::string& extension, const std::string& file) {
   if (!start.starts_with("PK\3\4") || extension == ".3mf") return;
   if (extension == ".usdz") refuse(file, "a USD file; export the mesh as glTF or PLY, from Blender, say");
-  refuse(file, "a zip archive; unpack it first, or rename it to end in .3mf if it is one");
+  refuse(file, "a zip archive; unpack it first");
 }
 
 bool is_iges(std::string_view start) {
@@ -88,15 +85,13 @@ std::string_view without_byte_order_mark(std::string_view content) {
 
 void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file) {
   start = without_byte_order_mark(start.substr(0, telling_bytes));
+  for (const Kind& kind : endings) {
+    if (extension == kind.begin) refuse(file, kind.what);
+  }
   for (const Kind& kind : kinds) {
     if (start.starts_with(kind.begin)) refuse(file, kind.what);
   }
-  for (const Scene& scene : scenes) {
-    if (start.starts_with(scene.begin) && extension != scene.extension) {
-      refuse(file, fmt::format("{}; rename it to end in {}", scene.what, scene.extension));
-    }
-  }
-  refuse_markup(start, extension, file);
+  refuse_markup(start, file);
   refuse_zip(start, extension, file);
   if (is_iges(start)) refuse(file, "an IGES file of a CAD program; export its surface from there as STL or 3MF");
   if (start.size() > 132 && start.substr(128, 4) == "DICM")

@@ -9,8 +9,8 @@ namespace homolog {
 
 inline constexpr std::size_t telling_bytes = 4096;  ///< of a file, at most, tell what it is
 
-/// Throws FileError when `start`, the first bytes of a file, are those of a web page, an archive, a picture, text in UTF-16, a format of a
-/// CAD program, or of a scene whose name has another ending than `extension` (".fbx", say).
+/// Throws FileError when `start`, the first bytes of a file, are those of a web page, an archive, a picture, text in UTF-16, or a format of
+/// another program; some of these are known by `extension` (".usdz", say).
 void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file);
 
 /// Without the mark that some editors put before UTF-8.

@@ -58,19 +58,27 @@ json parse(std::string_view text, const GltfFile& file) {
   }
 }
 
-bool requires_extension(const GltfFile& file, std::string_view name) {
-  const auto required = file.document.find("extensionsRequired");
-  if (required == file.document.end() || !required->is_array()) return false;
-  return std::find(required->begin(), required->end(), json(name)) != required->end();
+/// Without which the triangles are what they are with it, or which is read (quantised positions).
+bool can_be_left_out(std::string_view extension) {
+  for (const char* harmless : {"KHR_mesh_quantization", "KHR_materials_", "KHR_texture_", "EXT_texture_", "MSFT_texture_", "KHR_lights_",
+                               "EXT_lights_", "KHR_animation_pointer", "KHR_xmp", "KHR_techniques_webgl"}) {
+    if (extension.starts_with(harmless)) return true;
+  }
+  return false;
 }
 
 void check_extensions(const GltfFile& file) {
-  for (const char* text : {"KHR_draco_mesh_compression", "EXT_meshopt_compression", "KHR_meshopt_compression"}) {
-    if (!requires_extension(file, text)) continue;
-    throw FileError(fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, text));
-  }
-  if (requires_extension(file, "EXT_mesh_gpu_instancing")) {
-    throw FileError(fmt::format("{}: it needs the extension EXT_mesh_gpu_instancing, which is not read; export it without", file.name));
+  const auto required = file.document.find("extensionsRequired");
+  if (required == file.document.end() || !required->is_array()) return;
+  for (const json& entry : *required) {
+    const std::string name = entry.is_string() ? entry.get<std::string>() : std::string();
+    if (name.ends_with("_compression")) {
+      throw FileError(
+          fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, shown(name)));
+    }
+    if (!can_be_left_out(name)) {
+      throw FileError(fmt::format("{}: it needs the extension '{}', which is not read; export it without", file.name, shown(name)));
+    }
   }
 }
 

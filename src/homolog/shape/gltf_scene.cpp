@@ -51,7 +51,7 @@ std::vector<GltfNode> scene_nodes(const GltfFile& file) {
   std::vector<GltfNode> nodes;
   const auto add = [&](std::size_t number, std::optional<std::size_t> parent) {
     const json& node = entry(file, "nodes", number);
-    if (seen[number]) fail(file, fmt::format("node {} hangs on two others", number));
+    if (seen[number]) fail(file, fmt::format("node {} stands in two places of its scene", number));
     seen[number] = true;
     const Mat4 local = local_matrix(file, node);
     nodes.push_back({number, parent, local, parent ? Mat4(nodes[*parent].world * local) : local});

@@ -189,10 +189,17 @@ std::string root_part(const ZipArchive& archive, const std::string& file, std::u
 
 }  // namespace
 
+bool is_3mf(std::string_view content) {
+  return content.starts_with("PK\3\4") && content.find("_rels/.rels") != content.npos && content.find(".model") != content.npos;
+}
+
 Mesh read_3mf(std::string_view content, const std::string& file, const ReadLimits& limits) {
   const ZipArchive archive(content, file);
   Assembly assembly(archive, file, limits);
-  for (const Placed& item : assembly.model(root_part(archive, file, limits.bytes)).items) assembly.add(item, Mat4::Identity(), 0);
+  const Model& root = assembly.model(root_part(archive, file, limits.bytes));
+  if (root.items.empty())
+    throw FileError(fmt::format("{}: none of its objects is to be built; put them on the plate and export it again", file));
+  for (const Placed& item : root.items) assembly.add(item, Mat4::Identity(), 0);
   return std::move(assembly.mesh);
 }
 

@@ -11,6 +11,9 @@
 
 namespace homolog {
 
+/// Is this a zip archive with such a model in it?
+bool is_3mf(std::string_view content);
+
 /// The meshes of all objects that are built, moved as the file says, but supports and objects that are not printed. Units are left alone.
 /// Throws FileError for what is missing, names a part or a vertex that does not exist, is not finite, or beyond the limits.
 Mesh read_3mf(std::string_view content, const std::string& file, const ReadLimits& limits);

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <fstream>
 #include <utility>
 
 #include "homolog/base/errors.h"
@@ -35,7 +34,9 @@ namespace {
 namespace fs = std::filesystem;
 
 void check_read(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
-  if (mesh.triangles.empty()) throw FileError(fmt::format("{}: the file holds no triangles; export the surface as a mesh", file));
+  if (mesh.triangles.empty())
+    throw FileError(
+        fmt::format("{}: the file holds no triangles; export the surface as a mesh, or its points with normals as PLY or .xyz", file));
   if (mesh.triangles.size() > most_triangles) {
     throw FileError(
         fmt::format("{}: {} triangles are more than the {} that are read; simplify the mesh", file, mesh.triangles.size(), most_triangles));
@@ -45,15 +46,6 @@ void check_read(const Mesh& mesh, const std::string& file, std::size_t most_tria
       throw FileError(fmt::format("{}, vertex {}: a coordinate is not a finite number; the file is damaged", file, i));
     }
   }
-}
-
-/// Of large files the beginning is enough.
-std::string start_of(const fs::path& path) {
-  std::string start(telling_bytes, '\0');
-  std::ifstream stream(path, std::ios::binary);
-  stream.read(start.data(), static_cast<std::streamsize>(start.size()));
-  start.resize(static_cast<std::size_t>(stream.gcount()));
-  return start;
 }
 
 std::optional<RawVolume> read_volume(std::string_view content, const fs::path& path, const ReadLimits& limits) {
@@ -77,30 +69,25 @@ Mesh read_ply_content(std::string_view content, const std::string& file, std::si
 }
 
 Mesh read_content(const fs::path& path, std::string_view content, const ReadLimits& limits) {
-  const std::string extension = lower_extension(path);
+  const std::string extension = lower_extension(path), file = path.string();
   const FindOther find_other = [&](const std::string& name) { return find_beside(path, name, limits.bytes); };
-  if (content.starts_with("ply")) return read_ply_content(content, path.string(), limits.triangles);
-  if (is_vtk(content)) return read_vtk(content, path.string());
-  if (is_vtp(content)) return read_vtp(content, path.string(), limits.triangles);
-  if (is_stl(content)) return weld(read_stl(content, path.string()));
-  if (is_obj(content)) return read_obj(content, path.string());
-  if (is_gltf(content) || extension == ".gltf" || extension == ".glb")
-    return weld(read_gltf(content, path.string(), find_other, limits.triangles));
-  if (extension == ".3mf") return weld(read_3mf(content, path.string(), limits));
-  if (extension == ".off" || is_off(content)) return read_off(content, path.string());
-  if (extension == ".obj") return read_obj(content, path.string());
-  if (extension == ".ply") return read_ply(content, path.string());
-  if (extension == ".stl") return weld(read_stl(content, path.string()));
-  if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, path.string()), path.string(), limits.triangles);
-  throw FileError(fmt::format(
-      "{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL, VTK, glTF, 3MF or one of {}, a label volume as .nii, .nii.gz, "
-      ".nrrd or .mha, or a point cloud with normals as PLY or .xyz",
-      path.string(), shown(extension), fmt::join(scene_extensions(), ", ")));
-}
-
-/// Another format under the name of a scene?
-bool is_misnamed(std::string_view start) {
-  return start.starts_with("ply") || is_vtk(start) || is_vtp(start) || is_stl(start) || is_obj(start) || is_gltf(start) || is_off(start);
+  if (const std::string format = scene_format(content, extension); !format.empty()) return read_scene(content, format, file);
+  if (content.starts_with("ply")) return read_ply_content(content, file, limits.triangles);
+  if (is_vtk(content)) return read_vtk(content, file);
+  if (is_vtp(content)) return read_vtp(content, file, limits.triangles);
+  if (is_stl(content)) return weld(read_stl(content, file));
+  if (is_obj(content)) return read_obj(content, file);
+  if (is_gltf(content) || extension == ".gltf" || extension == ".glb") return weld(read_gltf(content, file, find_other, limits.triangles));
+  if (is_3mf(content) || extension == ".3mf") return weld(read_3mf(content, file, limits));
+  if (extension == ".off" || is_off(content)) return read_off(content, file);
+  if (extension == ".obj") return read_obj(content, file);
+  if (extension == ".ply") return read_ply(content, file);
+  if (extension == ".stl") return weld(read_stl(content, file));
+  if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, file), file, limits.triangles);
+  throw FileError(
+      fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL, VTK, glTF, 3MF, AC3D, COLLADA, FBX or 3DS, a label "
+                  "volume as .nii, .nii.gz, .nrrd or .mha, or a point cloud with normals as PLY or .xyz",
+                  file, shown(extension)));
 }
 
 /// What 3D Slicer writes into the comments at the head of PLY, OBJ, STL and legacy VTK files.
@@ -128,17 +115,11 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
 }
 
 Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
-  check_file(path, limits.bytes);
-  const auto& scenes = scene_extensions();
-  const bool is_scene = std::find(scenes.begin(), scenes.end(), lower_extension(path)) != scenes.end() &&
-                        !is_misnamed(without_byte_order_mark(start_of(path)));
-  const std::string content = is_scene ? std::string() : read_file(path, limits.bytes);
-  const std::optional<RawVolume> volume = is_scene ? std::nullopt : read_volume(content, path, limits);
+  const std::string content = read_file(path, limits.bytes);
+  const std::optional<RawVolume> volume = read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave --label out", path.string()));
-  if (!volume) refuse_foreign(is_scene ? start_of(path) : content, lower_extension(path), path.string());
-  Mesh mesh = volume     ? label_surface(*volume, label, path.string())
-              : is_scene ? read_scene(path)
-                         : read_content(path, without_byte_order_mark(content), limits);
+  if (!volume && !is_3mf(content)) refuse_foreign(content, lower_extension(path), path.string());
+  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : read_content(path, without_byte_order_mark(content), limits);
   if (!volume && states_ras(content)) mesh.ras = true;
   check_read(mesh, path.string(), limits.triangles);
   return mesh;

@@ -7,11 +7,12 @@
 #include <assimp/scene.h>
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <assimp/Importer.hpp>
+#include <exception>
+#include <new>
 
 #include "homolog/base/errors.h"
-#include "homolog/base/read_file.h"
+#include "homolog/shape/foreign_file.h"
 #include "homolog/shape/read_in_child.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
@@ -19,32 +20,12 @@
 namespace homolog {
 namespace {
 
-namespace fs = std::filesystem;
+constexpr std::size_t bytes_a_second = 1 << 20;  // the slowest that an undamaged file is read
 
-constexpr std::uintmax_t bytes_a_second = 1 << 20;  // the slowest that an undamaged file is read
-
-/// Opens what lies in one folder and below. A file names others (textures), and must not name what is none of its business.
-class OneFolder : public Assimp::DefaultIOSystem {
- public:
-  explicit OneFolder(const fs::path& file) : file_(file.string()), folder_(fs::canonical(fs::absolute(file).parent_path())) {}
-
-  bool Exists(const char* name) const override { return is_inside(name) && DefaultIOSystem::Exists(name); }
-  Assimp::IOStream* Open(const char* name, const char* mode) override {
-    const bool reads = mode[0] == 'r' && std::string_view(mode).find('+') == std::string_view::npos;
-    return reads && is_inside(name) ? DefaultIOSystem::Open(name, mode) : nullptr;
-  }
-
- private:
-  bool is_inside(const char* name) const {
-    if (name == file_) return true;
-    std::error_code error;
-    const fs::path path = fs::canonical(name, error);  // links followed
-    if (error || !fs::is_regular_file(path, error)) return false;
-    return std::mismatch(folder_.begin(), folder_.end(), path.begin(), path.end()).first == folder_.end();
-  }
-
-  std::string file_;
-  fs::path folder_;
+/// A scene names other files (textures), which are none of its business.
+struct NoFiles : Assimp::DefaultIOSystem {
+  bool Exists(const char*) const override { return false; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
 };
 
 void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
@@ -65,42 +46,57 @@ void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
   }
 }
 
-Mesh read_by_assimp(const fs::path& path) {
-  Assimp::Importer importer;
-  importer.SetIOHandler(new OneFolder(path));                                    // which the importer deletes
+/// Before anything is made of it; null with the reason when it cannot be read.
+const aiScene* imported(Assimp::Importer& importer, std::string_view content, const std::string& format, std::string& reason) {
+  importer.SetIOHandler(new NoFiles);                                            // which the importer deletes
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // coordinates stay the file's
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
-  const aiScene* scene = nullptr;
-  std::string reason;
   try {
-    scene = importer.ReadFile(path.string(), aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
+    const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str());
     reason = importer.GetErrorString();
+    if (importer.GetException()) std::rethrow_exception(importer.GetException());
+    if (format == "dae" && scene && scene->mRootNode)
+      scene->mRootNode->mTransformation = aiMatrix4x4();  // else metres are made of its unit
+    if (scene) scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
+    return scene;
   } catch (const std::bad_alloc&) {
     throw;
   } catch (const std::exception& error) {
     reason = error.what();
+    return nullptr;
   }
+}
+
+Mesh read_by_assimp(std::string_view content, const std::string& format, const std::string& file) {
+  Assimp::Importer importer;
+  std::string reason;
+  const aiScene* scene = imported(importer, content, format, reason);
   if (!scene || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE && scene->mNumMeshes == 0)) {
     if (reason.empty()) reason = "no mesh is in it";
-    throw FileError(
-        fmt::format("{}: the file cannot be read ({}); it is truncated or damaged, export it again", path.string(), shown(reason, 120)));
+    throw FileError(fmt::format("{}: the file cannot be read ({}); it is truncated or damaged, export it again", file, shown(reason, 120)));
   }
   Mesh mesh;
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i], path.string());
+  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i], file);
   return weld(mesh);
 }
 
 }  // namespace
 
-const std::vector<std::string>& scene_extensions() {
-  static const std::vector<std::string> extensions{".ac", ".dae", ".fbx", ".3ds"};
-  return extensions;
+std::string scene_format(std::string_view content, const std::string& extension) {
+  for (const std::string_view begin : {"Kaydara FBX Binary", "; FBX"}) {
+    if (content.starts_with(begin)) return "fbx";
+  }
+  if (content.starts_with("AC3Db")) return "ac";
+  const std::string start = lower(content.substr(0, telling_bytes));
+  const std::size_t first = start.find_first_not_of(" \t\r\n");
+  if (first != std::string::npos && start[first] == '<' && start.find("<collada") != std::string::npos) return "dae";
+  return extension == ".3ds" && content.starts_with("MM") ? "3ds" : "";
 }
 
-Mesh read_scene(const fs::path& path) {
+Mesh read_scene(std::string_view content, const std::string& format, const std::string& file) {
   ChildLimits limits;
-  limits.seconds += static_cast<unsigned>(fs::file_size(path) / bytes_a_second);
-  return read_in_child([&] { return read_by_assimp(path); }, path.string(), limits);
+  limits.seconds += static_cast<unsigned>(content.size() / bytes_a_second);
+  return read_in_child([&] { return read_by_assimp(content, format, file); }, file, limits);
 }
 
 }  // namespace homolog
