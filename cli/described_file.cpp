@@ -4,7 +4,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <new>
 
+#include "homolog/base/errors.h"
 #include "homolog/shape/read_mesh.h"
 
 namespace homolog::cli {
@@ -12,8 +14,16 @@ namespace {
 
 void warn_if_open(const Shape& shape, Console& console) {
   if (shape.open == 0) return;
-  console.warn(fmt::format("{} is open ({:.2g} % of its edges, {} piece{}); {:.3g} % of the inside was guessed", shape.name,
+  console.warn(fmt::format("{} is open ({:.3g} % of its edges, {} piece{}); {:.3g} % of the inside was guessed", shape.name,
                            100 * shape.open, shape.components, shape.components == 1 ? "" : "s", 100 * shape.guessed));
+}
+
+Mesh read_shape(const std::string& path, const Limits& limits, const Label& label) {
+  try {
+    return read_mesh(path, limits.file, label);
+  } catch (const std::bad_alloc&) {
+    throw FileError(fmt::format("{}: not enough memory to read it; simplify or crop it, or allow more by --max-memory", path));
+  }
 }
 
 }  // namespace
@@ -22,7 +32,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
                             Console& console, const Label& label) {
   const std::string name = std::filesystem::path(path).filename().string();
   console.stage(fmt::format("reading {}", name));
-  DescribedFile file{read_mesh(path, limits.file, label), {}};
+  DescribedFile file{read_shape(path, limits, label), {}};
   console.watch().lap(fmt::format("reading {}", name), file.mesh.triangles.size(), "triangles");
   console.stage(fmt::format("describing {}", name));
   try {
@@ -30,6 +40,9 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
     check_points(file.shape, limits);
   } catch (const ShapeError& error) {
     throw ShapeError(fmt::format("cannot use '{}': {}", path, error.what()));
+  } catch (const std::bad_alloc&) {
+    throw ShapeError(
+        fmt::format("{}: not enough memory to describe it; a lower --resolution needs less, and --max-memory may allow more", path));
   }
   file.shape.name = name;
   warn_if_open(file.shape, console);

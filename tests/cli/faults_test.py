@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What goes wrong around the program: files that lie, disks that are full, folders that are not writable, processes that are killed.
 import fcntl
+import gzip
 import json
 import os
 import resource
@@ -11,10 +12,13 @@ import subprocess
 import sys
 import threading
 import unittest
+import zlib
 
 import bear
 import fbx_files
 import mesh_files
+import volume_files
+import vtk_files
 from program import COARSE, PROGRAM, Program, limits_memory, main
 
 NOBODY = 65534
@@ -59,6 +63,24 @@ class LyingFiles(Program):
             return mesh_files.threemf('<?xml version="1.0"?><model><resources>' + " " * times)
 
         self.refuse("bomb.3mf", bomb(200 << 20))
+
+    @limits_memory
+    def test_bombs_of_volumes_and_vtp(self):
+        zeros = bytes(300 << 20)
+        limit = (*COARSE, "--max-memory", "200")
+        self.write("behind.nii.gz", gzip.compress(volume_files.nifti() + zeros, 1))  # nobody asks for what is behind the voxels
+        self.assertEqual(self.run_it("points", "behind.nii.gz", *limit).returncode, 0)
+        nifti = bytearray(volume_files.nifti())
+        struct.pack_into("<3h", nifti, 42, 800, 800, 800)
+        self.write("within.nii.gz", gzip.compress(bytes(nifti) + zeros, 1))
+        self.expect_message(3, "not enough memory to read it", "points", "within.nii.gz", *limit)
+        vtp, packed = vtk_files.vtp(*mesh_files.solid(), "appended"), zlib.compress(zeros, 1)
+        start = vtp.index(b'"raw">_') + 7
+        _, unpacked, _, length = struct.unpack_from("<4I", vtp, start)
+        for announced in (unpacked, len(zeros)):
+            blocks = struct.pack("<4I", 1, announced, 0, len(packed)) + packed
+            self.write("bomb.vtp", vtp[:start] + blocks + vtp[start + 16 + length :])
+            self.expect_message(3, "bomb.vtp", "points", "bomb.vtp", *limit)
 
     def test_numbers_that_are_no_numbers_or_huge(self):
         v, f = mesh_files.solid()
@@ -127,8 +149,21 @@ class Limits(Program):
 
     @limits_memory
     def test_too_little_memory_is_refused(self):
-        self.expect_message(3, "not enough memory for these shapes; a lower --resolution needs less", "points", "bear.off", "--resolution", "1000",
+        self.expect_message(3, "bear.off: not enough memory to describe it; a lower --resolution needs less", "points", "bear.off", "--resolution", "1000",
                             "--max-memory", "200")  # fmt: skip
+
+    @limits_memory
+    def test_wherever_memory_ends_there_is_one_sentence(self):
+        with open(self.path("bear.dae"), "wb") as file:
+            file.write(mesh_files.collada(*mesh_files.solid()))
+        for threads in ("1", "2"):
+            for name in ("bear.off", "bear.dae"):
+                for mebibytes in range(12, 48, 2):
+                    done = self.run_it("points", name, "--resolution", "128", "--threads", threads, "--max-memory", str(mebibytes))
+                    if done.returncode == 0:
+                        break
+                    self.assertEqual(done.returncode, 3, (threads, mebibytes, done.stderr))
+                    self.assertRegex(done.stderr, r"\Ahomolog: [^\n]*not enough memory[^\n]*\n\Z")
 
     @limits_memory
     def test_enough_is_enough(self):

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/base/parallel.h"
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
@@ -37,8 +38,6 @@ void parallel_for(std::size_t count, const std::function<void(std::size_t)>& bod
   (void)done.load(std::memory_order_acquire);
 }
 
-ThreadLimit::ThreadLimit(int threads) {
-  if (threads > 0) control_ = limit_of_threads(static_cast<std::size_t>(threads));
-}
+ThreadLimit::ThreadLimit(int threads) : control_(limit_of_threads(static_cast<std::size_t>(std::max(0, threads)))) {}
 
 }  // namespace homolog

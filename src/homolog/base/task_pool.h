@@ -9,10 +9,10 @@
 namespace homolog {
 
 /// Calls work(loop, begin, end) for ranges that make up [0, count), on any threads. Exceptions reach the caller. A plain function, so that
-/// nothing is read of the caller's before it begins.
+/// nothing is read of the caller's before it begins. Throws Error when no thread can be started.
 void run_in_ranges(std::size_t count, void (*work)(void* loop, std::size_t begin, std::size_t end), void* loop);
 
-/// While it lives, at most `threads` threads work.
+/// While it lives, at most `threads` threads work; 0 for all cores.
 std::shared_ptr<void> limit_of_threads(std::size_t threads);
 
 }  // namespace homolog

@@ -167,8 +167,9 @@ Mesh receive_mesh(Child& child, const std::string& file, const ChildLimits& limi
     if (tag == mesh_follows && child.receive_items(mesh.vertices) && child.receive_items(mesh.triangles)) return mesh;
     if (tag == error_follows && child.receive_items(error)) throw FileError(error);
     if (tag == no_memory) {
-      throw FileError(fmt::format("{}: reading it takes more than {} MiB of memory; it is damaged, or should be saved as PLY", file,
-                                  limits.bytes >> 20));
+      throw FileError(fmt::format(
+          "{}: there is not enough memory to read it, or it takes more than {} MiB of memory; it is damaged, or should be saved as PLY",
+          file, limits.bytes >> 20));
     }
   }
   if (child.was_too_slow()) {
