@@ -49,4 +49,8 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
   return file;
 }
 
+std::string no_points(const Shape& shape) {
+  return fmt::format("nothing found: {} has no salient point; a lower --threshold or a higher --resolution may find some", shape.name);
+}
+
 }  // namespace homolog::cli

@@ -22,8 +22,10 @@ struct DescribedFile {
 DescribedFile describe_file(const std::string& path, const std::optional<Box>& part, const Params& params, const Limits& limits,
                             Console& console, const Label& label = {});
 
-/// What help says about a label, and which files a verb reads.
-inline constexpr const char* kLabelHelp = "Of a label volume, the voxels of this value; 0 for all that are not 0.";
+/// That a shape has no salient points, and what to do, as a sentence.
+std::string no_points(const Shape& shape);
+
+/// What help says about the files that a verb reads.
 inline constexpr const char* kShapeHelp =
     "a mesh (OFF, OBJ, PLY, STL, glTF, ...), a label volume (NIfTI, NRRD, MetaImage) or a point cloud with normals (PLY, XYZ)";
 

@@ -27,16 +27,14 @@ std::string family_table(const Family& family) {
   return table;
 }
 
-std::string why_nothing(const StageCounts& counts) {
-  const auto& stages = counts.stages;
-  auto died = stages.end();  // from the end: some sets grow without points, so a stage may be empty before one that is not
-  while (died != stages.begin() && std::prev(died)->second == 0) --died;
-  if (died - stages.begin() > 2) {
-    return fmt::format("nothing found: the last {} {} died at the stage '{}'", std::prev(died)->second, std::prev(died)->first,
-                       died->first);
-  }
-  const auto empty = std::find_if(stages.begin(), stages.end(), [](const auto& stage) { return stage.second == 0; });
-  return fmt::format("nothing found: the stage '{}' gave none", empty->first);
+std::string why_nothing(const Shape& model, const Shape& data, const StageCounts& counts) {
+  if (model.points.empty()) return no_points(model);
+  if (data.points.empty()) return no_points(data);
+  auto last =
+      std::prev(counts.stages.end());  // from the end: some sets grow without points, so a stage may be empty before one that is not
+  while (last != counts.stages.begin() && last->second == 0) --last;
+  return fmt::format("nothing found: none of {} {} between {} and {} is a match; a higher --resolution shows more of them", last->second,
+                     last->first, model.name, data.name);
 }
 
 namespace {
@@ -82,7 +80,7 @@ int deliver(const DescribedFile& model, const DescribedFile& data, const Family&
   console.clear();
   print_result(options.json ? match_json(model.shape, data.shape, family, params) : table_and_more(family, results, folder));
   if (!family.matches.empty()) return kFound;
-  print_message(why_nothing(family.counts));
+  print_message(why_nothing(model.shape, data.shape, family.counts));
   return kNothingFound;
 }
 

@@ -12,8 +12,8 @@ namespace homolog::cli {
 /// rank, pairs, confidence, handedness, scale, bending, chamfer, covered shares; one line a match, empty for an empty family.
 std::string family_table(const Family& family);
 
-/// At which stage the last candidate died, as a sentence.
-std::string why_nothing(const StageCounts& counts);
+/// Why a family is empty, at which stage the last candidate died, and what to do, as a sentence.
+std::string why_nothing(const Shape& model, const Shape& data, const StageCounts& counts);
 
 /// A shape against itself has symmetries, which are told besides.
 enum class Against { another, itself };

@@ -7,11 +7,12 @@
 #include <algorithm>
 
 #include "homolog/base/errors.h"
+#include "whole_number.h"
 
 namespace homolog::cli {
 namespace {
 
-constexpr std::uint64_t kMost = 1000000000000;
+constexpr std::int64_t kMost = 1'000'000'000'000, kMostMebibytes = 1 << 30;
 
 /// From here on, asking for more memory fails and becomes a message. The system counts what can be written to, not what is reserved.
 void limit_memory(std::uint64_t mebibytes) {
@@ -24,7 +25,8 @@ void limit_memory(std::uint64_t mebibytes) {
 
 template <class Value>
 void add_limit(CLI::App& verb, const char* name, Value& value, const char* what) {
-  verb.add_option(name, value, fmt::format("{}; default {}.", what, value))->group("Limits")->type_name("N")->check(CLI::Range(1ul, kMost));
+  const auto store = [&value, name](const std::string& text) { value = static_cast<Value>(whole_number(name, text, 1, kMost)); };
+  verb.add_option_function<std::string>(name, store, fmt::format("{}; default {}.", what, value))->group("Limits")->type_name("N");
 }
 
 }  // namespace
@@ -33,10 +35,12 @@ void add_reading_limits(CLI::App& verb, ReadLimits& limits) {
   add_limit(verb, "--max-bytes", limits.bytes, "Refuse files of more bytes");
   add_limit(verb, "--max-triangles", limits.triangles, "Refuse meshes of more triangles, clouds of more points");
   add_limit(verb, "--max-voxels", limits.voxels, "Refuse label volumes of more voxels");
-  verb.add_option_function<std::uint64_t>("--max-memory", limit_memory, "Take no more MiB of memory; default 0, all there is.")
+  const auto limit = [](const std::string& text) {
+    limit_memory(static_cast<std::uint64_t>(whole_number("--max-memory", text, 0, kMostMebibytes)));
+  };
+  verb.add_option_function<std::string>("--max-memory", limit, "Take no more MiB of memory; default 0, all there is.")
       ->group("Limits")
-      ->type_name("MIB")
-      ->check(CLI::Range(0ul, std::uint64_t{1} << 30));
+      ->type_name("MIB");
 }
 
 void add_limit_options(CLI::App& verb, Limits& limits) {

@@ -52,10 +52,14 @@ Exit codes: 0 found, 1 nothing found, 2 wrong usage or parameter, 3 unreadable o
 }
 
 void reject_extras(const CLI::App& program) {
-  if (const auto extras = program.remaining(); !extras.empty()) reject_word(program, extras);
-  for (const CLI::App* verb : program.get_subcommands()) {
-    if (const auto extras = verb->remaining(); !extras.empty()) reject_word(*verb, extras);
-  }
+  const auto reject_those_of = [](const CLI::App& app) {
+    std::vector<std::string> extras = app.remaining();
+    const bool only_files = std::erase(extras, "--") > 0;
+    if (only_files && !extras.empty()) throw UsageError(fmt::format("behind '--' stand files; put '{}' before it", extras.front()));
+    if (!extras.empty()) reject_word(app, extras);
+  };
+  reject_those_of(program);
+  for (const CLI::App* verb : program.get_subcommands()) reject_those_of(*verb);
 }
 
 /// The text that --help or --version asked for.
@@ -102,7 +106,7 @@ int report(int code, const std::string& sentence) {
   return code;
 }
 
-constexpr const char* kNoMemory = "not enough memory for these shapes; a lower --resolution needs less, and --max-memory may allow more";
+constexpr const char* kNoMemory = "not enough memory for this; a lower --resolution needs less, and --max-memory may allow more";
 
 // Where memory ends while something is destroyed, as JSON is by a list of what is left, nothing can be caught any more.
 [[noreturn]] void end_abruptly() {

@@ -60,8 +60,8 @@ Verb add_match(CLI::App& program) {
   verb->add_flag("--self", options->self, "Match MODEL with itself, as 'homolog symmetry' does.");
   add_part_option(*verb, "--model-part", options->model_part);
   add_part_option(*verb, "--data-part", options->data_part);
-  verb->add_option("--model-label", options->model_label, kLabelHelp)->type_name("N");
-  verb->add_option("--data-label", options->data_label, kLabelHelp)->type_name("N");
+  add_label_option(*verb, "--model-label", options->model_label);
+  add_label_option(*verb, "--data-label", options->data_label);
   add_common_options(*verb, options->common);
   verb->footer(kExamples);
   return {verb, [options] { return run_match(*options); }};

@@ -3,10 +3,9 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
-
 #include "exit_codes.h"
 #include "part.h"
+#include "whole_number.h"
 
 namespace homolog::cli {
 namespace {
@@ -32,13 +31,12 @@ void add_preset_option(CLI::App& verb, ParameterOptions& options) {
   verb.add_option("--preset", options.preset, "Start from these parameters: default, or paper for the paper's choices.")->type_name("NAME");
 }
 
-int parse_threads(const std::string& text) {
-  int threads = -1;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), threads);
-  if (error != std::errc() || end != text.data() + text.size() || threads < 0 || threads > 1024) {
-    throw UsageError(fmt::format("--threads is '{}', but must be a whole number from 0 (all cores) to 1024", text));
-  }
-  return threads;
+int parse_threads(const std::string& text) { return static_cast<int>(whole_number("--threads", text, 0, 1024)); }
+
+void add_label_option(CLI::App& verb, const char* name, Label& label) {
+  const auto store = [&label, name](const std::string& text) { label = whole_number(name, text, -largest_label, largest_label); };
+  verb.add_option_function<std::string>(name, store, "Of a label volume, the voxels of this value; 0 for all that are not 0.")
+      ->type_name("N");
 }
 
 CLI::Option* add_out_option(CLI::App& verb, std::string& out) {

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "homolog/base/parameters.h"
+#include "homolog/shape/label_surface.h"
 #include "homolog/shape/mesh.h"
 #include "input_limits.h"
 
@@ -41,6 +42,9 @@ Params params_of(const CommonOptions& options);
 
 /// The value of --threads. Throws UsageError.
 int parse_threads(const std::string& text);
+
+/// Which voxels of a label volume, as `name`.
+void add_label_option(CLI::App& verb, const char* name, Label& label);
 
 /// The range of a parameter in words: "32 to 1024", "allow, forbid or only".
 std::string range_text(const ParameterInfo& info);

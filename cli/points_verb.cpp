@@ -63,7 +63,7 @@ int run_points(const PointsOptions& options) {
   if (folder.wanted() && !options.common.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
   print_result(text);
   if (!landmarks.empty()) return kFound;
-  print_message("nothing found: the shape has no salient point");
+  print_message(no_points(file.shape));
   return kNothingFound;
 }
 
@@ -74,7 +74,7 @@ Verb add_points(CLI::App& program) {
   const auto options = std::make_shared<PointsOptions>();
   verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
   add_part_option(*verb, "--part", options->part);
-  verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
+  add_label_option(*verb, "--label", options->label);
   add_common_options(*verb, options->common);
   verb->footer(kExamples);
   return {verb, [options] { return run_points(*options); }};

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <limits>
 
 #include "console.h"
 #include "exit_codes.h"
@@ -11,6 +12,7 @@
 #include "homolog/outputs/misplaced.h"
 #include "homolog/shape/read_mesh.h"
 #include "input_limits.h"
+#include "whole_number.h"
 
 namespace homolog::cli {
 namespace {
@@ -23,7 +25,10 @@ std::filesystem::path path_beside(const StoredMatchOptions& options, bool is_mod
 
 void add_stored_match_options(CLI::App& verb, StoredMatchOptions& options) {
   verb.add_option("MATCH", options.file, "The match.json that 'homolog match --out' wrote.")->type_name("")->required();
-  verb.add_option("--match", options.number, "Which match, 1 for the best.")->type_name("N")->check(CLI::PositiveNumber);
+  const auto store = [&number = options.number](const std::string& text) {
+    number = static_cast<int>(whole_number("--match", text, 1, std::numeric_limits<int>::max()));
+  };
+  verb.add_option_function<std::string>("--match", store, "Which match, 1 for the best.")->type_name("N");
   add_reading_limits(verb, options.limits);
 }
 

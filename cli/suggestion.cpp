@@ -25,6 +25,11 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 }  // namespace
 
 std::string suggestion(const std::string& typed, const std::vector<std::string>& words) {
+  if (typed.starts_with("--")) {
+    for (const std::string& word : words) {
+      if (word.ends_with(typed.substr(1))) return "; did you mean '" + word + "'?";
+    }
+  }
   const auto nearer = [&](const std::string& a, const std::string& b) { return edit_distance(typed, a) < edit_distance(typed, b); };
   const auto nearest = std::min_element(words.begin(), words.end(), nearer);
   if (nearest == words.end() || edit_distance(typed, *nearest) > std::max<std::size_t>(1, nearest->size() / 3)) return "";

@@ -44,7 +44,7 @@ Verb add_symmetry(CLI::App& program) {
   const auto options = std::make_shared<SymmetryOptions>();
   verb->add_option("SHAPE", options->shape, fmt::format("The shape: {}.", kShapeHelp))->type_name("")->required();
   add_part_option(*verb, "--part", options->part);
-  verb->add_option("--label", options->label, kLabelHelp)->type_name("N");
+  add_label_option(*verb, "--label", options->label);
   add_common_options(*verb, options->common);
   verb->footer(kExamples);
   return {verb, [options] { return match_with_itself(options->shape, options->part, options->label, options->common); }};

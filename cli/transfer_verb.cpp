@@ -147,6 +147,7 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   const MatchedShape shape = carried_from(match, direction, from.file);
   if (!options.mesh.empty()) return carry_mesh(match, options, shape, direction, console);
   const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
+  if (points.empty()) throw FileError(fmt::format("{}: it holds no points; name the file with the landmarks to carry", options.points));
   warn_of_far_points(points, options.points, shape, console);
   const auto landmarks = carry_landmarks(match, points, direction);
   const std::string specimen = std::filesystem::path(to.file).stem().string();

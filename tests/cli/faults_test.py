@@ -138,6 +138,8 @@ class Limits(Program):
             self.expect_message(3, part, "points", "bear.off", *COARSE, *words)
         for option in ("--max-bytes", "--max-triangles", "--max-points"):
             self.expect_message(2, option, "points", "bear.off", option, "0")
+        self.expect_message(2, "--max-triangles is '1.5', but must be a whole number", "points", "bear.off", "--max-triangles", "1.5")
+        self.expect_message(3, "more than the 10 that are read", "points", "bear.off", "--max-triangles", "1e1")
         self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
         self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
 

@@ -14,6 +14,11 @@ TEST(Suggestion, IsTheNearestWordWithinAThirdOfItsLetters) {
   EXPECT_EQ(suggestion("point", words), "; did you mean 'points'?");
 }
 
+TEST(Suggestion, IsAnOptionOfWhichThisIsTheEnd) {
+  EXPECT_EQ(suggestion("--label", {"--model-label", "--data-label"}), "; did you mean '--model-label'?");
+  EXPECT_EQ(suggestion("--abel", {"--unlabelled"}), "");
+}
+
 TEST(Suggestion, StrangersGetNone) {
   EXPECT_EQ(suggestion("frobnicate", words), "");
   EXPECT_EQ(suggestion("", words), "");

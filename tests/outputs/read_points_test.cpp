@@ -48,6 +48,14 @@ TEST(ReadPointsCsv, ReadsBackWhatLandmarksWrite) {
   }
 }
 
+TEST(ReadPointsCsv, TakesCapitalsAndSemicolons) {
+  const auto points = read_points_csv("Label;X;Y;Z\r\n\"a; b\";1;2;3\r\n", "a.csv");
+  ASSERT_EQ(points.size(), 1u);
+  EXPECT_EQ(points[0].label, "a; b");
+  EXPECT_EQ(points[0].position, Vec3(1, 2, 3));
+  EXPECT_THAT(csv_message("x;y;z\n1,5;2;3\n"), HasSubstr("save it with a decimal point"));
+}
+
 TEST(ReadPointsCsv, TakesColumnsInAnyOrderQuotesAndMissingPoints) {
   const auto points =
       read_points_csv("\xef\xbb\xbfz,label,extra,y,x\r\n3,\"a, \"\"b\"\"\",?,2,1\r\n\r\n,nose,,,\nNA,ear,,NA,NA\n", "a.csv");

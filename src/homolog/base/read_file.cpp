@@ -14,6 +14,8 @@ namespace homolog {
 void check_file(const std::filesystem::path& path, std::uint64_t most) {
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
+  if (status.type() == std::filesystem::file_type::none)
+    throw FileError(fmt::format("{}: the file cannot be opened ({}); check the path", path.string(), error.message()));
   if (!std::filesystem::exists(status)) throw FileError(fmt::format("{}: there is no such file; check the path", path.string()));
   if (std::filesystem::is_directory(status)) throw FileError(fmt::format("{}: this is a directory; name a file in it", path.string()));
   const std::uintmax_t size = std::filesystem::file_size(path, error);

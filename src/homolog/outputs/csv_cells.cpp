@@ -3,7 +3,7 @@
 
 namespace homolog {
 
-std::vector<std::string> csv_cells(const Text& text, std::string_view line) {
+std::vector<std::string> csv_cells(const Text& text, std::string_view line, char separator) {
   std::vector<std::string> cells(1);
   bool quoted = false;
   for (std::size_t i = 0; i < line.size(); ++i) {
@@ -11,7 +11,7 @@ std::vector<std::string> csv_cells(const Text& text, std::string_view line) {
       cells.back() += line[i++];
     } else if (line[i] == '"') {
       quoted = !quoted;
-    } else if (line[i] == ',' && !quoted) {
+    } else if (line[i] == separator && !quoted) {
       cells.emplace_back();
     } else {
       cells.back() += line[i];

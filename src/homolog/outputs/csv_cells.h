@@ -12,7 +12,7 @@ namespace homolog {
 
 /// The cells of a line without the blanks around them; a quoted cell may hold commas, and quotes written twice. Throws FileError, naming
 /// the line, when a quotation mark is not closed.
-std::vector<std::string> csv_cells(const Text& text, std::string_view line);
+std::vector<std::string> csv_cells(const Text& text, std::string_view line, char separator = ',');
 
 /// A cell as readers take it for one: quoted if it holds what would end it.
 std::string csv_cell(const std::string& text);

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -97,6 +98,8 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     match.thickness = json.value("parameters", ordered_json::object()).value("thicken", 0.0);
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
       fail(file, "a size is not positive; the file is damaged");
+    if (!(std::abs((match.similarity.topLeftCorner<3, 3>() / match.scale).determinant()) > 0.5))
+      fail(file, "a map is no similarity of its scale; the file is damaged");
     family.matches.push_back(std::move(match));
   }
   return family;

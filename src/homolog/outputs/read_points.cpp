@@ -24,15 +24,18 @@ struct Columns {
   std::array<std::size_t, 3> position;
   std::optional<std::size_t> label;
   std::size_t count;
+  char separator;
 };
 
 Columns read_header(Text& text, std::string_view line) {
   if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // a byte order mark, as spreadsheets write it
-  const std::vector<std::string> names = csv_cells(text, line);
+  const char separator = line.find(',') == line.npos && line.find(';') != line.npos ? ';' : ',';  // as spreadsheets of half of Europe
+  std::vector<std::string> names = csv_cells(text, line, separator);
+  for (std::string& name : names) name = lower(name);
   const auto find = [&](const char* name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
-  Columns columns{{find("x"), find("y"), find("z")}, {}, names.size()};
+  Columns columns{{find("x"), find("y"), find("z")}, {}, names.size(), separator};
   if (std::max({columns.position[0], columns.position[1], columns.position[2]}) == names.size()) {
-    fail(text, "the header must name the columns x, y and z (and label), separated by commas");
+    fail(text, "the header must name the columns x, y and z (and label), separated by commas or semicolons");
   }
   if (find("label") < names.size()) columns.label = find("label");
   return columns;
@@ -69,7 +72,7 @@ std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::
   const Columns columns = read_header(text, line);
   std::vector<MarkupPoint> points;
   while (next_line(text, line)) {
-    if (line.find_first_not_of(" \t") != line.npos) points.push_back(read_row(text, csv_cells(text, line), columns));
+    if (line.find_first_not_of(" \t") != line.npos) points.push_back(read_row(text, csv_cells(text, line, columns.separator), columns));
   }
   return points;
 }
