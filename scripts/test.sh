@@ -45,10 +45,16 @@ sanitized_program() {
     ctest --preset dev -R '^(cli|faults|symmetry|transfer)$'
 }
 # shellcheck disable=SC2317
-valgrind_match() {
-  local folder=build/valgrind
-  mkdir -p "$folder" && python3 -B -c 'import sys; sys.path.insert(0, "tests/cli"); import bear; bear.write_all(sys.argv[1])' "$folder" &&
-    valgrind -q --error-exitcode=9 build/release/cli/homolog match "$folder/bear.off" "$folder/bear_bis.off" --resolution 64 --threads 2
+valgrind_program() {
+  local folder=build/valgrind homolog=(valgrind -q --error-exitcode=9 build/release/cli/homolog) coarse=(--resolution 64 --threads 2)
+  mkdir -p "$folder" && PYTHONPATH=tests/cli python3 -B -c '
+import pathlib, sys, bear, cloud_files, volume_files
+folder = pathlib.Path(sys.argv[1])
+bear.write_all(folder)
+(folder / "labels.nii").write_bytes(volume_files.nifti())
+(folder / "cloud.xyz").write_bytes(cloud_files.xyz())' "$folder" &&
+    "${homolog[@]}" match "$folder/bear.off" "$folder/bear_bis.off" "${coarse[@]}" &&
+    "${homolog[@]}" points "$folder/labels.nii" "${coarse[@]}" && "${homolog[@]}" points "$folder/cloud.xyz" "${coarse[@]}"
 }
 # shellcheck disable=SC2317
 threaded_tests() {
@@ -77,7 +83,7 @@ step docs scripts/build_site.sh || true
 step sanitize sanitized_tests || true
 if [[ $all == yes ]]; then
   step program sanitized_program || true
-  step valgrind valgrind_match || true
+  step valgrind valgrind_program || true
   step threads threaded_tests || true
   step checks scripts/check.sh || true
 else
