@@ -19,7 +19,6 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
   block.x = block.y = block.z = BlockFloats::Constant(far_away);
   block.nx = block.ny = block.nz = block.limb = block.out = BlockFloats::Zero();
   block.sample.fill(-1);
-  block.centre.setZero();
   const auto count = static_cast<int>(last - first);
   for (int k = 0; k < count; ++k) {
     const SurfaceSample& sample = samples[block.sample[k] = first[k]];
@@ -27,10 +26,15 @@ SampleBlock fill_block(Order::const_iterator first, Order::const_iterator last, 
     block.x[k] = place.x(), block.y[k] = place.y(), block.z[k] = place.z();
     block.nx[k] = normal.x(), block.ny[k] = normal.y(), block.nz[k] = normal.z();
     if (!limb_places.empty()) block.limb[k] = limb_places[first[k]].limb, block.out[k] = limb_places[first[k]].out;
-    block.centre += place / static_cast<float>(count);
   }
-  block.radius = std::sqrt(squared_distances(block, block.centre).head(count).maxCoeff());
   return block;
+}
+
+BlockBall ball_around(const SampleBlock& block, int count) {
+  BlockBall ball;
+  for (int k = 0; k < count; ++k) ball.centre += Eigen::Vector3f(block.x[k], block.y[k], block.z[k]) / static_cast<float>(count);
+  ball.radius = std::sqrt(squared_distances(block, ball.centre).head(count).maxCoeff());
+  return ball;
 }
 
 // Blocks are full but for the last one.
@@ -77,6 +81,7 @@ SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const Order&
   for (auto first = order.begin(); first != order.end();) {
     const auto last = first + std::min<std::ptrdiff_t>(block_size, order.end() - first);
     blocks.blocks.push_back(fill_block(first, last, samples, limb_places, blocks.middle, far_away));
+    blocks.balls.push_back(ball_around(blocks.blocks.back(), static_cast<int>(last - first)));
     first = last;
   }
   return blocks;
@@ -96,9 +101,9 @@ NearestSample nearest_sample(const SampleBlocks& samples, const Vec3& place, dou
   float best = within * within;
   NearestSample nearest;
   float squares[block_size];
-  for (const SampleBlock& block : samples.blocks) {
-    const float passed = within + block.radius;
-    if ((block.centre - p).squaredNorm() > passed * passed) continue;
+  for (std::size_t b = 0; b < samples.blocks.size(); ++b) {
+    if (!may_reach(samples.balls[b], p, within)) continue;
+    const SampleBlock& block = samples.blocks[b];
     const float square = find_squares(block, p, squares);
     if (square >= best) continue;
     best = square;

@@ -24,13 +24,18 @@ struct SampleBlock {
   BlockFloats nx, ny, nz;  ///< normals
   BlockFloats limb, out;   ///< limb places
   std::array<int, block_size> sample;
-  Eigen::Vector3f centre;
-  float radius = 0;  ///< of a ball about `centre` that holds all places
+};
+
+/// A ball that holds all places of a block.
+struct BlockBall {
+  Eigen::Vector3f centre = Eigen::Vector3f::Zero();
+  float radius = 0;
 };
 
 /// Single precision suffices because places are relative to the middle.
 struct SampleBlocks {
   std::vector<SampleBlock> blocks;
+  std::vector<BlockBall> balls;  ///< of the blocks; apart from them, since most blocks are passed over by their ball alone
   Vec3 middle = Vec3::Zero();
 };
 
@@ -41,6 +46,12 @@ std::vector<int> block_order(const std::vector<Vec3>& places);
 SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<int>& order,
                          const std::vector<LimbPlace>& limb_places = {});
 SampleBlocks make_blocks(const std::vector<SurfaceSample>& samples, const std::vector<LimbPlace>& limb_places = {});
+
+/// Whether a place of the block may lie within a length of this one.
+inline bool may_reach(const BlockBall& ball, const Eigen::Vector3f& place, float within) {
+  const float passed = within + ball.radius;
+  return (ball.centre - place).squaredNorm() <= passed * passed;
+}
 
 /// Squared distances from a place, relative to the middle, to the samples of a block.
 BlockFloats squared_distances(const SampleBlock& block, const Eigen::Vector3f& place);

@@ -9,10 +9,11 @@ namespace homolog {
 namespace {
 
 constexpr float outlier_share = 0.1f;  // of the mean sum of weights: what has no partner is not drawn anywhere
-constexpr float farthest = 12;         // where the weight is nothing: e^-12
+constexpr float farthest = 12;         // where the weight is nothing: e^-12 is subtracted
 constexpr std::size_t lanes = 8;       // samples at once
 
-// x becomes e^x, for x <= 0, to 2e-7: a power of two, and a polynomial for the rest.
+// x becomes e^x, for x <= 0, to 2e-7: a power of two, and for the rest, |f| <= 1/2, the Taylor series of 2^f, whose coefficients are
+// (ln 2)^k / k!.
 [[gnu::always_inline]] inline void exponentiate(EightFloats& x) {
   using Ints [[gnu::vector_size(32)]] = int;
   const EightFloats lowest = EightFloats{} - 80;  // as good as nothing, and the power of two still normal
@@ -30,36 +31,57 @@ struct Place {
   LimbPlace on;
 };
 
+std::vector<Place> places_of(const std::vector<SurfaceSample>& skin, const Vec3& middle, const std::vector<LimbPlace>& limb_places) {
+  std::vector<Place> places;
+  for (std::size_t i = 0; i < skin.size(); ++i) {
+    places.push_back(
+        {(skin[i].position - middle).cast<float>(), skin[i].normal.cast<float>(), limb_places.empty() ? LimbPlace{} : limb_places[i]});
+  }
+  return places;
+}
+
+// How nearness falls with distance, and whether along the limbs.
+struct Falloff {
+  float steepness;  // 1 / (2 reach^2)
+  float nothing;    // e^-12
+  bool on_limbs;
+};
+
 // Which blocks are near every place, place after place, and sixteen weights for each.
 struct Weights {
   std::vector<std::size_t> first{0};
   std::vector<std::size_t> block;
-  std::vector<float> weight;
+  Eigen::ArrayXf weight;
 };
 
-void add_near_blocks(const Place& place, const SampleBlocks& data, float limit, Weights& weights) {
-  for (std::size_t b = 0; b < data.blocks.size(); ++b) {
-    const float passed = limit + data.blocks[b].radius;
-    if ((data.blocks[b].centre - place.y).squaredNorm() <= passed * passed) weights.block.push_back(b);
+Weights near_blocks(const std::vector<Place>& places, const SampleBlocks& data, float limit) {
+  Weights weights;
+  for (const Place& place : places) {
+    for (std::size_t b = 0; b < data.balls.size(); ++b) {
+      if (may_reach(data.balls[b], place.y, limit)) weights.block.push_back(b);
+    }
+    weights.first.push_back(weights.block.size());
   }
-  weights.first.push_back(weights.block.size());
-  weights.weight.resize(weights.block.size() * block_size);
+  weights.weight.resize(static_cast<Eigen::Index>(weights.block.size()) * block_size);
+  return weights;
 }
 
 // The weights of place i, added to the sums of the samples (sixteen a block) and to sixteen sums of the place.
-HOMOLOG_WIDEST_CLONE void weigh(const Place& place, std::size_t i, const SampleBlock* blocks, float inverse, float nothing,
-                                Weights& weights, float* sample_sums, float* sums) {
+HOMOLOG_WIDEST_CLONE void add_weights(const Place& place, std::size_t i, const SampleBlock* blocks, const Falloff& falloff,
+                                      Weights& weights, float* sample_sums, float* sums) {
   const EightFloats zero = {};
   for (std::size_t b = weights.first[i]; b < weights.first[i + 1]; ++b) {
     const SampleBlock& block = blocks[weights.block[b]];
     for (std::size_t k = 0; k < block_size; k += lanes) {
       const EightFloats x = eight(block.x.data() + k) - place.y.x(), y = eight(block.y.data() + k) - place.y.y(),
                         z = eight(block.z.data() + k) - place.y.z();
-      const EightFloats out = eight(block.out.data() + k), both = out * place.on.out;
-      const EightFloats away = out * out + place.on.out * place.on.out - 2 * (eight(block.limb.data() + k) == place.on.limb ? both : zero);
-      EightFloats nearness = -inverse * (x * x + y * y + z * z) - 0.5f * away;
+      EightFloats nearness = -falloff.steepness * (x * x + y * y + z * z);
+      if (falloff.on_limbs) {
+        const EightFloats out = eight(block.out.data() + k), both = out * place.on.out;
+        nearness -= 0.5f * (out * out + place.on.out * place.on.out - 2 * (eight(block.limb.data() + k) == place.on.limb ? both : zero));
+      }
       exponentiate(nearness);
-      nearness -= nothing;
+      nearness -= falloff.nothing;
       const EightFloats agreement =
           eight(block.nx.data() + k) * place.n.x() + eight(block.ny.data() + k) * place.n.y() + eight(block.nz.data() + k) * place.n.z();
       const EightFloats weight = (nearness > 0 ? nearness : zero) * (agreement > 0 ? agreement * agreement : zero);
@@ -100,17 +122,13 @@ Eigen::ArrayXf half_over(const Eigen::ArrayXf& sums) { return 0.5f / (sums + out
 
 Pull assign_softly(const std::vector<SurfaceSample>& skin, const SampleBlocks& data, double reach,
                    const std::vector<LimbPlace>& limb_places) {
-  const auto inverse = static_cast<float>(0.5 / (reach * reach));
-  const float limit = std::sqrt(farthest / inverse), nothing = std::exp(-farthest);
-  std::vector<Place> places;
-  Weights weights;
+  const Falloff falloff{static_cast<float>(0.5 / (reach * reach)), std::exp(-farthest), !limb_places.empty()};
+  const std::vector<Place> places = places_of(skin, data.middle, limb_places);
+  Weights weights = near_blocks(places, data, std::sqrt(farthest / falloff.steepness));
   Eigen::ArrayXf place_sums(skin.size()), sample_sums = Eigen::ArrayXf::Zero(data.blocks.size() * block_size);
   for (std::size_t i = 0; i < skin.size(); ++i) {
-    places.push_back(
-        {(skin[i].position - data.middle).cast<float>(), skin[i].normal.cast<float>(), limb_places.empty() ? LimbPlace{} : limb_places[i]});
-    add_near_blocks(places[i], data, limit, weights);
     BlockFloats sums = BlockFloats::Zero();
-    weigh(places[i], i, data.blocks.data(), inverse, nothing, weights, sample_sums.data(), sums.data());
+    add_weights(places[i], i, data.blocks.data(), falloff, weights, sample_sums.data(), sums.data());
     place_sums[i] = sums.sum();
   }
   const Eigen::ArrayXf by_place = half_over(place_sums), by_sample = half_over(sample_sums);
