@@ -31,22 +31,32 @@ struct Spread {
   double square = 0;
 };
 
+// The nine sums stand apart: a matrix would be added to in memory, by vectors that wait for what single numbers have just stored there.
 Spread spread_of(const Cloth& cloth, const Edges& edges, std::size_t i) {
-  Spread spread;
+  double xx = 0, xy = 0, xz = 0, yx = 0, yy = 0, yz = 0, zx = 0, zy = 0, zz = 0, square = 0;
   for (int e = edges.first[i]; e < edges.first[i + 1]; ++e) {
-    const Vec3 image = cloth.nodes[edges.other[e]] - cloth.nodes[i];
-    spread.covariance += image * edges.vector[e].transpose();
-    spread.square += image.squaredNorm();
+    const Vec3& here = cloth.nodes[i];
+    const Vec3 &there = cloth.nodes[edges.other[e]], &rest = edges.vector[e];
+    const double x = there.x() - here.x(), y = there.y() - here.y(), z = there.z() - here.z();
+    xx += x * rest.x(), xy += x * rest.y(), xz += x * rest.z();
+    yx += y * rest.x(), yy += y * rest.y(), yz += y * rest.z();
+    zx += z * rest.x(), zy += z * rest.y(), zz += z * rest.z();
+    square += x * x + y * y + z * z;
   }
+  Spread spread;
+  spread.covariance << xx, xy, xz, yx, yy, yz, zx, zy, zz;
+  spread.square = square;
   return spread;
 }
 
-// Turns four rotations to those nearest to the covariances, starting where they stand (Mueller et al. 2016); determinants stay.
+// Turns four rotations R to those nearest to the covariances C, starting where they stand (Mueller et al. 2016): each step by
+// omega = sum of r_a x c_a / |sum of r_a . c_a| over their columns, which would be the angle times the axis. Taken as 2 t, t being the axis
+// times the tangent of half the angle, it is the rotation by the quaternion (1, t), without a sine. Determinants stay.
 HOMOLOG_WIDEST_CLONE void turn_towards(const FourMatrices& covariance, FourMatrices& rotation) {
   const FourDoubles none = {};
   auto unsettled = none == none;
-  for (int step = 0; step < 12; ++step) {
-    FourDoubles t[3] = {}, grip = none + 1e-300;
+  for (int step = 0; step < 12; ++step) {         // enough for nearly all; the others turn on in the next call
+    FourDoubles t[3] = {}, grip = none + 1e-300;  // a place where all edges collapsed has none of either, and stays
     for (int a = 0; a < 3; ++a) {
       const auto &r = rotation.column[a], &c = covariance.column[a];
       for (int k = 0; k < 3; ++k) {
@@ -57,8 +67,8 @@ HOMOLOG_WIDEST_CLONE void turn_towards(const FourMatrices& covariance, FourMatri
     }
     for (FourDoubles& component : t) component /= 2 * (grip < 0 ? -grip : grip);
     const FourDoubles square = t[0] * t[0] + t[1] * t[1] + t[2] * t[2];  // of half the angle's tangent
-    unsettled &= square < 1e200;
-    for (int a = 0; a < 3; ++a) {  // the rotation by (1, t) as a quaternion
+    unsettled &= square < 1e200;                                         // more is a grip of nothing, where no turn is better than another
+    for (int a = 0; a < 3; ++a) {                                        // the rotation by (1, t) as a quaternion
       auto& r = rotation.column[a];
       const FourDoubles along = 2 * (t[0] * r[0] + t[1] * r[1] + t[2] * r[2]), still = 1 - square;
       const FourDoubles x[3] = {r[0], r[1], r[2]};
@@ -68,7 +78,7 @@ HOMOLOG_WIDEST_CLONE void turn_towards(const FourMatrices& covariance, FourMatri
         r[k] = unsettled ? turned : x[k];
       }
     }
-    unsettled &= square > 1e-6;  // what is left is its square
+    unsettled &= square > 1e-6;  // a step leaves about the square of what it turned, 1e-6 radians
     bool any = false;
     for (std::size_t l = 0; l < lanes; ++l) any |= unsettled[l] != 0;
     if (!any) return;
