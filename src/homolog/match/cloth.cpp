@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/match/cloth.h"
 
-#include <Eigen/Sparse>
 #include <algorithm>
 #include <cmath>
 
 #include "homolog/match/local_frames.h"
 #include "homolog/match/soft_assignment.h"
+#include "homolog/match/solve_rows.h"
 
 namespace homolog {
 namespace {
@@ -48,7 +48,8 @@ Sparse laplacian_of(const Edges& edges) {
   return matrix;
 }
 
-// Where every node is drawn, and how strongly: by the data's samples, by anchors, and a trace to where it is.
+// Where every node is drawn, and how strongly: by the data's samples, by anchors, and a trace to where it is. The stiffness of the edges
+// stands here as a divisor, so that theirs is the Laplacian as it is.
 struct Draw {
   Eigen::VectorXd mass;
   Eigen::MatrixX3d moment;  // mass times place
@@ -68,7 +69,8 @@ Draw draw_of(const Cloth& cloth, const Pull& pull, const std::vector<Anchor>& an
   return draw;
 }
 
-// Laplacian of the rest shape laid by the local frames, and the draw.
+// Laplacian of the rest shape laid by the local frames, and the draw: the edge e from i to j asks for (F_i + F_j) / 2 e (Sorkine & Alexa
+// 2007, eq. 8, with frames for their rotations and all weights 1).
 Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& draw) {
   Eigen::MatrixX3d right = draw.moment;
   for (std::size_t i = 0; i < cloth.nodes.size(); ++i) {
@@ -118,7 +120,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
   const std::vector<int>& order = model.edges.elimination;
   const Sparse laplacian = laplacian_of(model.edges);
   Sparse system = laplacian;
-  Eigen::SimplicialLDLT<Sparse, Eigen::Upper, Eigen::NaturalOrdering<int>> solver;
+  OrderedFactor solver;
   solver.analyzePattern(system);
   for (int step = 0; step < schedule.iterations; ++step) {
     const double reach = data_diagonal * at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations);
@@ -128,8 +130,10 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     system.diagonal() = laplacian.diagonal() + draw.mass(order);
     solver.factorize(system);
     for (int inner = 0; inner < shape_steps; ++inner) {
-      const Eigen::MatrixX3d right = right_side(cloth, model.edges, draw)(order, Eigen::all), places = solver.solve(right);
-      for (std::size_t k = 0; k < order.size(); ++k) cloth.nodes[order[k]] = places.row(k);
+      PlaceRows places = PlaceRows::Zero(system.rows(), 4);
+      places.leftCols<3>() = right_side(cloth, model.edges, draw)(order, Eigen::all);
+      solve_rows(solver, places);
+      for (std::size_t k = 0; k < order.size(); ++k) cloth.nodes[order[k]] = places.row(k).head<3>();
       fit_local_frames(cloth, model.edges, schedule.give);
     }
   }
