@@ -36,17 +36,28 @@ constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
 constexpr std::size_t region_starts_of_a_chirality = 12;
 
-// Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds, and the starts that need no pairs.
-std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model,
-                               const Shape& data, const Params& params) {
+// Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds.
+std::vector<GrownSet> grow_seeds(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates,
+                                 const Shape& model, const Shape& data, const Params& params) {
   std::vector<GrownSet> sets(seeds.size());
   parallel_for(seeds.size(),
                [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
-  sets = distinct_sets(std::move(sets), sets_of_a_chirality, model);
-  const auto add = [&](const std::vector<GrownSet>& starts) { sets.insert(sets.end(), starts.begin(), starts.end()); };
-  add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
-  add(end_starts(model, data, chirality, end_starts_of_a_chirality));
-  add(region_starts(model, data, chirality, region_starts_of_a_chirality));
+  return distinct_sets(std::move(sets), sets_of_a_chirality, model);
+}
+
+// And the starts that need no pairs.
+std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, const CorrespondenceSet& candidates, const Shape& model, const Shape& data,
+                               const Params& params) {
+  const std::vector<FollowedEnds> ends = follow_ends(model, data);
+  const std::vector<AxisSkin> regions = regions_of(data.body);
+  std::vector<GrownSet> sets;
+  const auto add = [&](const std::vector<GrownSet>& some) { sets.insert(sets.end(), some.begin(), some.end()); };
+  for (const Chirality chirality : {Chirality::proper, Chirality::mirrored}) {
+    add(grow_seeds(seeds, chirality, candidates, model, data, params));
+    add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
+    add(end_starts(ends, model, data, chirality, end_starts_of_a_chirality));
+    add(region_starts(regions, model, data, chirality, region_starts_of_a_chirality));
+  }
   return sets;
 }
 
@@ -56,13 +67,11 @@ Family match_by_pairs(const Shape& model, const Shape& data, const Params& param
   lap(watch, "candidates", candidates.size(), "candidates");
   const std::vector<Seed> seeds = find_seeds(candidates, model, data);
   lap(watch, "seeds", seeds.size(), "seeds");
-  std::vector<GrownSet> sets = grow_all(seeds, Chirality::proper, candidates, model, data, params);
-  const std::vector<GrownSet> mirrored = grow_all(seeds, Chirality::mirrored, candidates, model, data, params);
-  sets.insert(sets.end(), mirrored.begin(), mirrored.end());
+  const std::vector<GrownSet> sets = grow_all(seeds, candidates, model, data, params);
   lap(watch, "growth", sets.size(), "grown sets");
   Family family = make_family(sets, model, data, params, without_identity);  // Sec. 6.2.3
   lap(watch, "refinement, evidence", family.matches.size(), "matches");
-  measure_chamfer(family.matches, model, data);  // eq. 9
+  measure_chamfer(family.matches, model, data);                                     // eq. 9
   lap(watch, "chamfer", family.matches.size(), "matches");
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},
                           {"seeds", static_cast<long>(seeds.size())},

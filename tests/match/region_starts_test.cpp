@@ -25,7 +25,7 @@ TEST(RegionStarts, OneOfThemLaysAPartOnTheWholeFromAnyTurnAndSize) {
     const Move move{rotation, 7, {5, -3, 70}};
     const Shape data = described(moved(quadruped(), move));
     const Chirality chirality = rotation.determinant() > 0 ? Chirality::proper : Chirality::mirrored;
-    const std::vector<GrownSet> starts = region_starts(part, data, chirality, 12);
+    const std::vector<GrownSet> starts = region_starts(regions_of(data.body), part, data, chirality, 12);
     ASSERT_FALSE(starts.empty());
     EXPECT_LE(starts.size(), 12u);
     double least = 1;
@@ -39,7 +39,8 @@ TEST(RegionStarts, OneOfThemLaysAPartOnTheWholeFromAnyTurnAndSize) {
 }
 
 TEST(RegionStarts, AreDifferent) {
-  const std::vector<GrownSet> starts = region_starts(foreparts(), described(quadruped()), Chirality::proper, 12);
+  const Shape data = described(quadruped());
+  const std::vector<GrownSet> starts = region_starts(regions_of(data.body), foreparts(), data, Chirality::proper, 12);
   for (std::size_t a = 0; a < starts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_GT((starts[a].spline.affine - starts[b].spline.affine).norm(), 0.05);
   }
@@ -47,7 +48,7 @@ TEST(RegionStarts, AreDifferent) {
 
 TEST(RegionStarts, WithoutSkinThereIsNone) {
   const Shape empty = bare_shape({});
-  EXPECT_TRUE(region_starts(empty, empty, Chirality::proper, 12).empty());
+  EXPECT_TRUE(region_starts({}, empty, empty, Chirality::proper, 12).empty());
 }
 
 }  // namespace

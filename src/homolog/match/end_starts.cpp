@@ -41,34 +41,29 @@ Vec3 middle_at(const Eigen::RowVectorXd& share, const Eigen::MatrixXd& of_skin, 
   return mean;
 }
 
-// The places of the model and where they follow the ends to: the ends themselves, and middles of limbs.
-struct Followed {
-  std::vector<Vec3> model, data;
-};
-
-Followed follow(const EndPairs& ends, const Shape& model, const Shape& data) {
-  Followed places;
+FollowedEnds follow(const EndPairs& ends, const Shape& model, const Shape& data) {
+  std::vector<Vec3> from, to;
   std::vector<int> of_model, of_data;
   for (const auto& [a, b] : ends.pairs) {
     of_model.push_back(a);
     of_data.push_back(b);
-    places.model.push_back(model.body.nodes[model.ends.nodes[a]]);
-    places.data.push_back(data.body.nodes[data.ends.nodes[b]]);
+    from.push_back(model.body.nodes[model.ends.nodes[a]]);
+    to.push_back(data.body.nodes[data.ends.nodes[b]]);
   }
   const Eigen::MatrixXd here = shares_of_ways(model.body, model.ends, of_model), there = shares_of_ways(data.body, data.ends, of_data);
   for (std::size_t i = 0; i < std::min(placed, model.body.surface_count); ++i) {
     if (!here.row(i).allFinite()) continue;  // in another piece of the body
-    places.model.push_back(middle_at(here.row(i), here, model.body));
-    places.data.push_back(middle_at(here.row(i), there, data.body));
+    from.push_back(middle_at(here.row(i), here, model.body));
+    to.push_back(middle_at(here.row(i), there, data.body));
   }
-  return places;
+  const std::vector<double> nugget(from.size(), model.body.spacing);
+  return {SourceSystem(std::move(from), nugget), std::move(to)};
 }
 
-GrownSet start_of(const Followed& places, const Body& model, Chirality chirality) {
-  const std::vector<double> nugget(places.model.size(), model.spacing);
+GrownSet start_of(const FollowedEnds& places, Chirality chirality) {
   GrownSet start;
   start.chirality = chirality;
-  start.spline = ThinPlateSpline::similarity_free(SourceSystem(places.model, nugget), places.data, chirality);
+  start.spline = ThinPlateSpline::similarity_free(places.model, places.data, chirality);
   return start;
 }
 
@@ -83,10 +78,17 @@ bool same_start(const GrownSet& a, const GrownSet& b, const Shape& model, const 
 
 }  // namespace
 
-std::vector<GrownSet> end_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most) {
+std::vector<FollowedEnds> follow_ends(const Shape& model, const Shape& data) {
   const std::vector<EndPairs> sets = pair_ends(model.ends, data.ends, tried);
-  std::vector<GrownSet> starts(sets.size());
-  parallel_for(sets.size(), [&](std::size_t i) { starts[i] = start_of(follow(sets[i], model, data), model.body, chirality); });
+  std::vector<FollowedEnds> followed(sets.size());
+  parallel_for(sets.size(), [&](std::size_t i) { followed[i] = follow(sets[i], model, data); });
+  return followed;
+}
+
+std::vector<GrownSet> end_starts(const std::vector<FollowedEnds>& followed, const Shape& model, const Shape& data, Chirality chirality,
+                                 std::size_t most) {
+  std::vector<GrownSet> starts(followed.size());
+  parallel_for(followed.size(), [&](std::size_t i) { starts[i] = start_of(followed[i], chirality); });
   std::stable_sort(starts.begin(), starts.end(),
                    [](const GrownSet& a, const GrownSet& b) { return relative_energy(a) < relative_energy(b); });
   return distinct(std::move(starts), most, [&](const GrownSet& a, const GrownSet& kept) { return same_start(a, kept, model, data); });

@@ -8,7 +8,17 @@
 
 namespace homolog {
 
-/// Up to `most` different starts of the given chirality, without pairs, those that bend space least first; none for fewer than three ends.
-std::vector<GrownSet> end_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most);
+/// Places of the model and where they follow a set of paired ends to, whatever the chirality: the ends themselves, and middles of limbs.
+struct FollowedEnds {
+  SourceSystem model;
+  std::vector<Vec3> data;
+};
+
+/// One for each set of paired ends; none for fewer than three ends.
+std::vector<FollowedEnds> follow_ends(const Shape& model, const Shape& data);
+
+/// Up to `most` different starts of the given chirality, without pairs, those that bend space least first.
+std::vector<GrownSet> end_starts(const std::vector<FollowedEnds>& followed, const Shape& model, const Shape& data, Chirality chirality,
+                                 std::size_t most);
 
 }  // namespace homolog

@@ -6,7 +6,6 @@
 
 #include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
-#include "homolog/match/settled_skins.h"
 
 namespace homolog {
 namespace {
@@ -25,23 +24,6 @@ double longest_way(const Body& body, Eigen::Index skin) {
     }
   }
   return longest;
-}
-
-std::vector<AxisSkin> regions_of(const Body& body) {
-  const auto skin = static_cast<Eigen::Index>(body.surface_count);
-  const double longest = longest_way(body, skin);
-  std::vector<AxisSkin> regions;
-  for (const double reach : reaches) {
-    for (Eigen::Index c = 0; c < std::min(centres, skin); ++c) {
-      std::vector<SurfaceSample> region;
-      for (Eigen::Index i = 0; i < skin; ++i) {
-        if (body.ways(i, c) < reach * longest) region.push_back({body.nodes[i], body.normals[i]});
-      }
-      if (region.size() < least_samples || static_cast<double>(region.size()) > most_share * static_cast<double>(skin)) continue;
-      regions.push_back(axis_skin(region, diagonal_of(region)));
-    }
-  }
-  return regions;
 }
 
 struct Way {
@@ -67,10 +49,27 @@ std::vector<Way> rough_ways(const AxisSkin& model, const std::vector<AxisSkin>& 
 
 }  // namespace
 
-std::vector<GrownSet> region_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most) {
+std::vector<AxisSkin> regions_of(const Body& body) {
+  const auto skin = static_cast<Eigen::Index>(body.surface_count);
+  const double longest = longest_way(body, skin);
+  std::vector<AxisSkin> regions;
+  for (const double reach : reaches) {
+    for (Eigen::Index c = 0; c < std::min(centres, skin); ++c) {
+      std::vector<SurfaceSample> region;
+      for (Eigen::Index i = 0; i < skin; ++i) {
+        if (body.ways(i, c) < reach * longest) region.push_back({body.nodes[i], body.normals[i]});
+      }
+      if (region.size() < least_samples || static_cast<double>(region.size()) > most_share * static_cast<double>(skin)) continue;
+      regions.push_back(axis_skin(region, diagonal_of(region)));
+    }
+  }
+  return regions;
+}
+
+std::vector<GrownSet> region_starts(const std::vector<AxisSkin>& regions, const Shape& model, const Shape& data, Chirality chirality,
+                                    std::size_t most) {
   if (model.surface.empty() || data.surface.empty()) return {};
   const AxisSkin skin = axis_skin(model.surface, model.diagonal);
-  const std::vector<AxisSkin> regions = regions_of(data.body);
   std::vector<Way> ways = rough_ways(skin, regions, chirality);
   sort_by_distance(ways);
   ways.resize(std::min(ways.size(), settled));

@@ -5,11 +5,15 @@
 
 #include "homolog/describe/shape.h"
 #include "homolog/match/growth.h"
+#include "homolog/match/settled_skins.h"
 
 namespace homolog {
 
+std::vector<AxisSkin> regions_of(const Body& data);
+
 /// Up to `most` starts of the given chirality without pairs, those that lie best on their regions first; none that lies worse than the
 /// model on the whole data, each as a share of the size of what it lies on.
-std::vector<GrownSet> region_starts(const Shape& model, const Shape& data, Chirality chirality, std::size_t most);
+std::vector<GrownSet> region_starts(const std::vector<AxisSkin>& regions, const Shape& model, const Shape& data, Chirality chirality,
+                                    std::size_t most);
 
 }  // namespace homolog

@@ -37,6 +37,7 @@ Turn nearest_turn(const Mat3& covariance, Chirality chirality);
 /// where `nugget[k]` >= 0 (units of length) says how far the value at source k may be missed. Needs n >= 2 different sources.
 class SourceSystem {
  public:
+  SourceSystem() = default;  ///< of no sources
   SourceSystem(std::vector<Vec3> sources, const std::vector<double>& nugget);
 
   /// Solution rows (w_1 .. w_n, t) for values given at the sources (n x 3).
