@@ -3,11 +3,10 @@
 #include <homolog/describe/descriptors.h>
 #include <homolog/salient/direction.h>
 #include <homolog/salient/salient_points.h>
-#include <homolog/shape/distance_transform.h>
+#include <homolog/shape/inside_tree.h>
 #include <homolog/shape/read_mesh.h>
 #include <homolog/shape/voxelize.h>
 
-#include <algorithm>
 #include <fstream>
 #include <iostream>
 
@@ -56,7 +55,6 @@ int main(int argc, char** argv) {
     std::cout << "descriptor distance " << descriptor_distance(descriptors[0], descriptors[1], params.descriptor.kind) << "\n";
   // --8<-- [end:descriptors]
 
-  // Sec. 6.2.3: how far a voxel can be from the solid.
-  const Volume<float> distances = distance_transform(voxels.interior);
-  std::cout << "farthest voxel " << *std::max_element(distances.values.begin(), distances.values.end()) << " away\n";
+  // Sec. 6.2.3: how far a place, the corner of the grid, is from the solid.
+  std::cout << "the corner is " << InsideTree(voxels.interior).distance(0, 0, 0) << " away\n";
 }

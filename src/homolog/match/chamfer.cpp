@@ -12,8 +12,6 @@ namespace {
 
 using Voxel = std::array<int, 3>;
 
-constexpr int looked_around = 6;  // voxels
-
 template <class Visit>
 void for_each_voxel(const Voxel& begin, const Voxel& end, const Visit& visit) {
   for (int k = begin[2]; k < end[2]; ++k) {
@@ -39,49 +37,6 @@ InteriorSample sample_cell(const Interior& interior, const Voxel& begin, const V
     sample.position = interior.frame.world_from_voxel(Vec3(i, j, k));
   });
   return sample;
-}
-
-// Trilinear value at a world point of what `at(i, j, k)` tells; outside the grid, that at its nearest place plus the way there.
-template <class At>
-double value_at(const GridFrame& frame, const Vec3& world, const At& at) {
-  if (!world.allFinite()) return std::numeric_limits<double>::infinity();
-  const Vec3 v = frame.voxel_from_world(world);
-  const Vec3 clamped = v.cwiseMax(0.0).cwiseMin(Vec3(frame.size[0] - 1, frame.size[1] - 1, frame.size[2] - 1));
-  const Vec3 low = clamped.array().floor(), share = clamped - low;
-  double value = 0;
-  for_each_voxel({0, 0, 0}, {2, 2, 2}, [&](int i, int j, int k) {
-    const double weight = (i ? share[0] : 1 - share[0]) * (j ? share[1] : 1 - share[1]) * (k ? share[2] : 1 - share[2]);
-    if (weight == 0) return;  // beyond the last voxel, too
-    value += weight * at(static_cast<int>(low[0]) + i, static_cast<int>(low[1]) + j, static_cast<int>(low[2]) + k);
-  });
-  return value + frame.spacing * (v - clamped).norm();
-}
-
-// DT(O') at a voxel, by looking around it; infinite where nothing is inside within `looked_around` voxels.
-float distance_near(const Interior& interior, int i, int j, int k) {
-  const auto is_inside = [&](int x, int y, int z) { return interior.frame.contains(x, y, z) && interior.at(x, y, z) >= 0.5f; };
-  if (is_inside(i, j, k)) return 0;
-  float least = std::numeric_limits<float>::infinity();
-  for (int r = 1; r <= looked_around && static_cast<float>(r * r) < least; ++r) {
-    for_each_voxel({-r, -r, -r}, {r + 1, r + 1, r + 1}, [&](int x, int y, int z) {
-      const bool on_shell = std::max({std::abs(x), std::abs(y), std::abs(z)}) == r;
-      if (on_shell && is_inside(i + x, j + y, k + z)) least = std::min(least, static_cast<float>(x * x + y * y + z * z));
-    });
-  }
-  if (least > looked_around * looked_around) return std::numeric_limits<float>::infinity();
-  return static_cast<float>(interior.frame.spacing) * std::sqrt(least);
-}
-
-// eq. 9, inf |f(x) - x'| = DT(O')(f(x)), as `distance` tells it.
-template <class Distance>
-double mean_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
-                     const Distance& distance) {
-  double sum = 0, weight = 0;
-  for (const InteriorSample& sample : model) {
-    sum += sample.weight * distance(data_from_model(sample.position));
-    weight += sample.weight;
-  }
-  return weight > 0 ? sum / weight : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace
@@ -111,21 +66,30 @@ std::vector<InteriorSample> covered_samples(const std::vector<InteriorSample>& s
   return covered;
 }
 
-double distance_at(const Volume<float>& distance, const Vec3& world) {
-  return value_at(distance.frame, world, [&](int i, int j, int k) { return distance.at(i, j, k); });
+double distance_at(const InsideTree& data, const Vec3& world) {
+  if (!world.allFinite()) return std::numeric_limits<double>::infinity();
+  const GridFrame& frame = data.frame();
+  const Vec3 v = frame.voxel_from_world(world);
+  const Vec3 clamped = v.cwiseMax(0.0).cwiseMin(Vec3(frame.size[0] - 1, frame.size[1] - 1, frame.size[2] - 1));
+  const Vec3 low = clamped.array().floor(), share = clamped - low;
+  double distance = 0;
+  for_each_voxel({0, 0, 0}, {2, 2, 2}, [&](int i, int j, int k) {
+    const double weight = (i ? share[0] : 1 - share[0]) * (j ? share[1] : 1 - share[1]) * (k ? share[2] : 1 - share[2]);
+    if (weight == 0) return;  // beyond the last voxel, too
+    distance += weight * data.distance(static_cast<int>(low[0]) + i, static_cast<int>(low[1]) + j, static_cast<int>(low[2]) + k);
+  });
+  return distance + frame.spacing * (v - clamped).norm();
 }
 
+// eq. 9: inf |f(x) - x'| = DT(O')(f(x)).
 double chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
-                        const Volume<float>& distance, double data_diagonal) {
-  return mean_distance(model, data_from_model, [&](const Vec3& world) { return distance_at(distance, world); }) / data_diagonal;
-}
-
-double near_chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
-                             const Interior& data, double data_diagonal) {
-  const auto distance = [&](const Vec3& world) {
-    return value_at(data.frame, world, [&](int i, int j, int k) { return distance_near(data, i, j, k); });
-  };
-  return mean_distance(model, data_from_model, distance) / data_diagonal;
+                        const InsideTree& data, double data_diagonal) {
+  double sum = 0, weight = 0;
+  for (const InteriorSample& sample : model) {
+    sum += sample.weight * distance_at(data, data_from_model(sample.position));
+    weight += sample.weight;
+  }
+  return weight > 0 ? sum / weight / data_diagonal : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace homolog

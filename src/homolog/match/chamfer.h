@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sec. 6.2.3, eq. 9: chamfer distance of the mapped model to the data.
-// In: the model's inside, a warp, the data's distance transform. Out: a mean distance in data diagonals.
+// In: the model's inside, a warp, the data's inside. Out: a mean distance in data diagonals.
 // Differs: a mean, not a sum, and over the part of the model near the matched points only, so that parts can be found in other shapes.
 #pragma once
 
@@ -9,6 +9,7 @@
 
 #include "homolog/base/vec.h"
 #include "homolog/salient/salient_point.h"
+#include "homolog/shape/inside_tree.h"
 #include "homolog/shape/volume.h"
 
 namespace homolog {
@@ -28,15 +29,10 @@ std::vector<InteriorSample> covered_samples(const std::vector<InteriorSample>& s
                                             double reach);
 
 /// DT(O') at a world point: trilinear; outside the grid, the value at the nearest place of the grid plus the way there.
-double distance_at(const Volume<float>& distance, const Vec3& world);
+double distance_at(const InsideTree& data, const Vec3& world);
 
 /// d_c: weighted mean of DT(O') at f(x), divided by the data's diagonal. Infinite without samples.
 double chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
-                        const Volume<float>& distance, double data_diagonal);
-
-/// The same without a distance transform, from the voxels around each f(x): most lie inside, where it is 0. Infinite where one lies more
-/// than six voxels outside.
-double near_chamfer_distance(const std::vector<InteriorSample>& model, const std::function<Vec3(const Vec3&)>& data_from_model,
-                             const Interior& data, double data_diagonal);
+                        const InsideTree& data, double data_diagonal);
 
 }  // namespace homolog

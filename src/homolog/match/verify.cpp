@@ -8,7 +8,6 @@
 #include "homolog/match/chamfer.h"
 #include "homolog/match/clique_growth.h"
 #include "homolog/match/family.h"
-#include "homolog/shape/distance_transform.h"
 
 namespace homolog {
 namespace {
@@ -62,17 +61,10 @@ bool wanted(const Match& match, const Params& params) {
 void measure_chamfer(std::vector<Match>& matches, const Shape& model, const Shape& data) {
   if (matches.empty()) return;
   const std::vector<InteriorSample> samples = sample_interior(model.interior, lattice_cells);
-  std::vector<std::vector<InteriorSample>> covered(matches.size());
+  const InsideTree inside(data.interior);
   parallel_for(matches.size(), [&](std::size_t m) {
-    covered[m] = covered_samples(samples, points_of(matches[m].pairs, &Correspondence::model_point), covered_radii);
-    matches[m].chamfer = near_chamfer_distance(covered[m], matches[m].data_from_model, data.interior, data.diagonal);
-  });
-  const auto is_far = [](const Match& match) { return std::isinf(match.chamfer); };
-  if (std::none_of(matches.begin(), matches.end(), is_far)) return;
-  const Volume<float> distance = distance_transform(data.interior);
-  parallel_for(matches.size(), [&](std::size_t m) {
-    if (!is_far(matches[m])) return;
-    matches[m].chamfer = chamfer_distance(covered[m], matches[m].data_from_model, distance, data.diagonal);
+    const auto covered = covered_samples(samples, points_of(matches[m].pairs, &Correspondence::model_point), covered_radii);
+    matches[m].chamfer = chamfer_distance(covered, matches[m].data_from_model, inside, data.diagonal);
   });
 }
 
