@@ -43,7 +43,9 @@ CLI::Option* add_out_option(CLI::App& verb, std::string& out) {
   return verb.add_option("--out", out, "Write all results into this folder.")->type_name("DIR")->check(folder_name);
 }
 
-void add_timing_option(CLI::App& verb, bool& timing) { verb.add_flag("--timing", timing, "Tell on stderr what each stage took and held."); }
+void add_timing_option(CLI::App& verb, bool& timing) {
+  verb.add_flag("--timing", timing, "Tell on stderr what each stage took, and the most memory the process had held until its end.");
+}
 
 void add_threads_option(CLI::App& verb, std::string& threads) {
   verb.add_option("--threads", threads, "Threads to use, 0 for all cores; results do not depend on it.")->type_name("N");

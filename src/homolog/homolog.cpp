@@ -69,8 +69,7 @@ Family match_by_pairs(const Shape& model, const Shape& data, const Params& param
   lap(watch, "seeds", seeds.size(), "seeds");
   const std::vector<GrownSet> sets = grow_all(seeds, candidates, model, data, params);
   lap(watch, "growth", sets.size(), "grown sets");
-  Family family = make_family(sets, model, data, params, without_identity);  // Sec. 6.2.3
-  lap(watch, "refinement, evidence", family.matches.size(), "matches");
+  Family family = make_family(sets, model, data, params, without_identity, watch);  // Sec. 6.2.3
   measure_chamfer(family.matches, model, data);                                     // eq. 9
   lap(watch, "chamfer", family.matches.size(), "matches");
   family.counts.stages = {{"candidates", static_cast<long>(candidates.size())},

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/match/family.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -150,7 +152,7 @@ struct LaidSet {
 };
 
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
-                                bool without_identity) {
+                                bool without_identity, Stopwatch* watch) {
   const auto is_identity = [&](const Refined& r) { return stays(r.cloth, model); };
   std::vector<Refined> refined;
   for (const GrownSet& set : sets) refined.push_back(lay_set(set, model));
@@ -161,11 +163,14 @@ std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& 
     refined.resize(std::min(refined.size(), most));
     if (without_identity) std::erase_if(refined, is_identity);
     refined = without_lagging(std::move(refined), most_behind, model, data, params.match.mirror);
+    lap(watch, fmt::format("draws {} to {}", begin + 1, end), refined.size(), "maps left");
     begin = end;
   }
   parallel_for(refined.size(), [&](std::size_t i) { guide_pairs(refined[i], model, data, params.descriptor.kind); });
   if (without_identity) std::erase_if(refined, [&](const Refined& r) { return is_identity(r) || keeps_its_points(r); });
-  return without_duplicates(std::move(refined), model, data);
+  refined = without_duplicates(std::move(refined), model, data);
+  lap(watch, "guided pairs", refined.size(), "maps left");
+  return refined;
 }
 
 // The followed points of the last match join the data's.
@@ -202,8 +207,9 @@ bool allowed(Chirality chirality, Mirror mirror) {
   return mirror == Mirror::allow || (mirror == Mirror::only) == (chirality == Chirality::mirrored);
 }
 
-Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity) {
-  const std::vector<Refined> refined = refine_all(sets, model, data, params, without_identity);
+Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity,
+                   Stopwatch* watch) {
+  const std::vector<Refined> refined = refine_all(sets, model, data, params, without_identity, watch);
   std::vector<Refined> told = refined;
   std::erase_if(told, [&](const Refined& r) { return !allowed(r.cloth.chirality, params.match.mirror); });
   told = believed(std::move(told), model, data, without_identity);
@@ -220,6 +226,7 @@ Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const 
     number_followed(family, data);
     if (is_ambiguous(told[i], refined, model, data)) family.matches.back().handedness = Handedness::ambiguous;
   }
+  lap(watch, "limbs, warps", family.matches.size(), "matches");
   return family;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "homolog/base/parameters.h"
+#include "homolog/base/stopwatch.h"
 #include "homolog/describe/shape.h"
 #include "homolog/match/growth.h"
 #include "homolog/match/match.h"
@@ -18,6 +19,7 @@ std::vector<GrownSet> distinct_sets(std::vector<GrownSet> sets, std::size_t most
 bool allowed(Chirality chirality, Mirror mirror);
 
 /// `sets` refined and ranked. `without_identity`: leave out what maps a shape on itself as it is.
-Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity);
+Family make_family(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params, bool without_identity,
+                   Stopwatch* watch = nullptr);
 
 }  // namespace homolog
