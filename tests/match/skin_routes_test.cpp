@@ -29,6 +29,37 @@ TEST(SkinRoutes, GoAroundASphereNotThroughIt) {
   EXPECT_TRUE(routes.within(from, from, 0));
 }
 
+/// Lengths of the shortest ways along edges from one vertex to all, by Bellman and Ford.
+std::vector<double> plain_lengths(const Mesh& mesh, std::uint32_t from) {
+  std::vector<double> length(mesh.vertices.size(), INFINITY);
+  length[from] = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto& triangle : mesh.triangles) {
+      for (int k = 0; k < 6; ++k) {
+        const std::uint32_t a = triangle[k % 3], b = triangle[(k + 1 + k / 3) % 3];
+        const double way = length[a] + (mesh.vertices[a] - mesh.vertices[b]).norm();
+        if (way < length[b]) length[b] = way, changed = true;
+      }
+    }
+  }
+  return length;
+}
+
+TEST(SkinRoutes, AreTheShortestOfAll) {
+  const Mesh torus = meshes::torus(1, 0.3, 24, 12);
+  const SkinRoutes routes(torus);
+  for (std::uint32_t t = 0; t < torus.triangles.size(); t += 97) {
+    const std::vector<double> length = plain_lengths(torus, torus.triangles[t][0]);
+    for (std::uint32_t u = 0; u < torus.triangles.size(); u += 5) {
+      const double shortest = length[torus.triangles[u][1]];
+      const auto within = [&](double limit) { return routes.within(corner(torus, t, 0), corner(torus, u, 1), limit); };
+      EXPECT_TRUE(within(shortest + 1e-9));
+      if (!within(0)) EXPECT_FALSE(within(shortest - 1e-9)) << t << " " << u;  // they do not touch
+    }
+  }
+}
+
 TEST(SkinRoutes, KnowNeighboursWhateverTheirSize) {
   const Mesh box = meshes::box({0, 0, 0}, {100, 100, 100});
   EXPECT_TRUE(SkinRoutes(box).within(corner(box, 0, 0), corner(box, 1, 2), 1));

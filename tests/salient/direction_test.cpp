@@ -33,6 +33,31 @@ TEST(Direction, HalfSpaceGivesItsNormalAndThreeEighths) {
   }
 }
 
+// Large balls look at every n-th voxel: as good as the plain mean of all, weighed whole where their centres lie in the ball.
+TEST(Direction, IsTheMeanOfAllVoxelsInTheBall) {
+  const Solid solid = join({capsule({0, 0, 0}, {30, 10, 4}, 9), ball({4, 14, -6}, 11)});
+  const Interior interior = rasterize(solid, 100);
+  const double spacing = interior.frame.spacing;
+  SalientParams params;
+  for (const double r : {20 * spacing / params.direction_radius, 45 * spacing / params.direction_radius}) {
+    std::vector<SalientPoint> points = {point_at({8, 9, 0}, r)};
+    find_directions(interior, params, points);
+    Vec3 moment = Vec3::Zero();
+    double mass = 0;
+    for (int k = 0; k < interior.frame.size[2]; ++k) {
+      for (int j = 0; j < interior.frame.size[1]; ++j) {
+        for (int i = 0; i < interior.frame.size[0]; ++i) {
+          const Vec3 offset = interior.frame.world_from_voxel(Vec3(i, j, k)) - points[0].position;
+          if (offset.norm() < params.direction_radius * r) mass += interior.at(i, j, k), moment += interior.at(i, j, k) * offset;
+        }
+      }
+    }
+    const Vec3 away = -moment / (mass * r);
+    EXPECT_GT(points[0].direction.dot(away.normalized()), 0.9995) << r;
+    EXPECT_NEAR(points[0].direction_length, away.norm(), 0.01) << r;
+  }
+}
+
 TEST(Direction, FingerTipPointsOutAlongTheFinger) {
   const Vec3 along = Vec3(1, 0.5, 0.2).normalized();
   const Solid finger = capsule(Vec3::Zero(), 40 * along, 6);

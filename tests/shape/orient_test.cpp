@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
+#include <numeric>
 #include <random>
+#include <set>
 
 #include "shape/meshes.h"
 
@@ -101,6 +104,54 @@ TEST(Orient, JoinsFacesByPosition) {
   }
   EXPECT_NEAR(oriented_volume(soup), 1, 1e-12);
   EXPECT_TRUE(orient(soup).closed());
+}
+
+/// Triangles about few vertices, no two with the same corners.
+Mesh tangle(std::uint32_t seed) {
+  constexpr int vertices = 14;
+  std::mt19937 random(seed);
+  Mesh mesh;
+  for (int i = 0; i < vertices; ++i) mesh.vertices.emplace_back(random() % 100, random() % 100, i);
+  std::set<std::set<std::uint32_t>> known;
+  const auto drawn = [&] { return static_cast<std::uint32_t>(random() % vertices); };
+  for (int i = 0; i < 60; ++i) {
+    const std::array<std::uint32_t, 3> t{drawn(), drawn(), drawn()};
+    const std::set<std::uint32_t> corners(t.begin(), t.end());
+    if (corners.size() == 3 && known.insert(corners).second) mesh.triangles.push_back(t);
+  }
+  return mesh;
+}
+
+struct PlainEdge {
+  int forward = 0, back = 0;
+  std::vector<std::size_t> triangles;
+};
+
+// Sides are sorted by counting: the same edges as a map finds.
+TEST(Orient, FindsTheEdgesOfATangle) {
+  for (std::uint32_t seed = 1; seed < 20; ++seed) {
+    const OrientedSurface surface = orient(tangle(seed));
+    std::map<std::pair<std::uint32_t, std::uint32_t>, PlainEdge> edges;
+    for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
+      for (int k = 0; k < 3; ++k) {
+        const std::uint32_t a = surface.triangles[t][k], b = surface.triangles[t][(k + 1) % 3];
+        PlainEdge& edge = edges[std::minmax(a, b)];
+        ++(a < b ? edge.forward : edge.back);
+        edge.triangles.push_back(t);
+      }
+    }
+    std::vector<std::size_t> piece(surface.triangles.size());
+    std::iota(piece.begin(), piece.end(), 0);
+    double open = 0;
+    for (const auto& [ends, edge] : edges) {
+      open += std::abs(edge.forward - edge.back);
+      if (edge.triangles.size() != 2) continue;
+      const std::size_t joins = piece[edge.triangles[0]], joined = piece[edge.triangles[1]];
+      std::replace(piece.begin(), piece.end(), joins, joined);
+    }
+    EXPECT_EQ(surface.components, std::set<std::size_t>(piece.begin(), piece.end()).size());
+    EXPECT_NEAR(surface.open, open / static_cast<double>(3 * surface.triangles.size()), 1e-12);
+  }
 }
 
 TEST(Orient, KnowsOpenSurfaces) {
