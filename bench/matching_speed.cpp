@@ -10,8 +10,10 @@
 #include <functional>
 
 #include "fixtures/solids.h"
+#include "homolog/base/parallel.h"
 #include "homolog/homolog.h"
 #include "homolog/match/coverage.h"
+#include "homolog/match/dense.h"
 #include "homolog/outputs/match_json.h"
 #include "homolog/shape/read_mesh.h"
 #include "speed_rows.h"
@@ -57,6 +59,37 @@ Mesh changed(Mesh mesh) {
   return mesh;
 }
 
+void print_stages(const std::vector<Stage>& stages) {
+  for (const Stage& stage : stages) {
+    fmt::print("  {:20} {:9.1f} CPU ms  {} {}\n", stage.name, stage.cpu_milliseconds, stage.count, stage.counted);
+  }
+  fmt::print("  {:20} {:9.1f} CPU ms\n", "all", sum_of(stages, &Stage::cpu_milliseconds));
+  std::fflush(stdout);
+}
+
+struct MeshPair {
+  Mesh model, data;
+};
+
+// What `homolog dense` reckons for a match that is known: the place of every vertex of either mesh on the other one.
+void measure_dense_maps(const MeshPair& meshes, const MatchingOptions& options) {
+  Params params;
+  params.threads = 1;
+  const Shape model = describe_shape(meshes.model, params), data = describe_shape(meshes.data, params);
+  std::vector<Match> matches = match_shapes(model, data, params).matches;
+  if (matches.empty()) return;
+  matches.resize(1);
+  const ThreadLimit one_thread(1);
+  const auto stages = best_stages(options.repeats, [&](Stopwatch& watch) {
+    const auto parts = covered_parts({meshes.model, model}, {meshes.data, data}, matches);
+    watch.lap("covered parts", matches.size(), "matches");
+    dense_maps(match_maps(matches, model, data, parts).front(), meshes.model, meshes.data);
+    watch.lap("dense maps", meshes.model.vertices.size() + meshes.data.vertices.size(), "vertices");
+  });
+  fmt::print("dense refinement of the first match, one thread\n");
+  print_stages(stages);
+}
+
 using Reading = std::function<Mesh(Stopwatch&)>;
 
 void match_whole(const Reading& read_model, const Reading& read_data, const Params& params, Stopwatch& watch) {
@@ -70,6 +103,8 @@ void match_whole(const Reading& read_model, const Reading& read_data, const Para
 void measure_whole_match(const std::string& name, const Reading& model, const Reading& data, const MatchingOptions& options,
                          const MachineFloor& floor) {
   measure_on_grids(name, options, floor, [&](const Params& params, Stopwatch& watch) { match_whole(model, data, params, watch); });
+  Stopwatch unwatched;
+  measure_dense_maps({model(unwatched), data(unwatched)}, options);
 }
 
 Reading reading(const std::string& file) {
@@ -89,14 +124,6 @@ Params params_of_points() {
   return params;
 }
 
-void print_stages(const std::vector<Stage>& stages) {
-  for (const Stage& stage : stages) {
-    fmt::print("  {:20} {:9.1f} CPU ms  {} {}\n", stage.name, stage.cpu_milliseconds, stage.count, stage.counted);
-  }
-  fmt::print("  {:20} {:9.1f} CPU ms\n", "all", sum_of(stages, &Stage::cpu_milliseconds));
-  std::fflush(stdout);
-}
-
 }  // namespace
 
 void measure_on_grids(const std::string& name, const MatchingOptions& options, const MachineFloor& floor,
@@ -107,9 +134,9 @@ void measure_on_grids(const std::string& name, const MatchingOptions& options, c
       Params params;
       params.voxel.resolution = grid;
       params.threads = threads;
-      const auto stages = by_name(best_stages(options.repeats, [&](Stopwatch& watch) { work(params, watch); }));
+      const auto stages = best_stages(options.repeats, [&](Stopwatch& watch) { work(params, watch); });
       print_speed_rows({name, grid, threads}, stages, floor);
-      if (threads == 1) add_times(growth, grid, stages);
+      if (threads == 1) add_times(growth, grid, by_name(stages));
     }
   }
   if (const std::string told = told_exponents(growth, "N"); !told.empty()) fmt::print("{:14} CPU time grows as{}\n", name, told);

@@ -11,14 +11,18 @@
 #include "fixtures/solids.h"
 #include "homolog/homolog.h"
 #include "homolog/shape/read_mesh.h"
+#include "machine.h"
 #include "machine_floor.h"
 #include "matching_speed.h"
 #include "speed_rows.h"
+#include "start_time.h"
 
 namespace homolog::bench {
 namespace {
 
-constexpr int mesh_resolution = 160;  // the ball has 720 000 triangles then
+constexpr int mesh_resolution = 160;
+constexpr int ball_resolution = 103;  // 300 000 triangles
+constexpr int starts = 20;            // of the program
 
 struct NamedMesh {
   std::string name;
@@ -27,12 +31,13 @@ struct NamedMesh {
 
 struct Options {
   std::vector<std::string> files;
+  std::string program;
   MatchingOptions matching{{64, 128, 192, 256, 512}, {1, 0}, {30, 100, 500}, {1, 2, 4}, {}, 3};
   bool quick = false;
 };
 
 std::vector<NamedMesh> meshes_of(const Options& options) {
-  std::vector<NamedMesh> meshes{{"ball", mesh_of(fixtures::ball(Vec3::Zero(), 1), mesh_resolution)},
+  std::vector<NamedMesh> meshes{{"ball", mesh_of(fixtures::ball(Vec3::Zero(), 1), ball_resolution)},
                                 {"hand", mesh_of(fixtures::hand(), mesh_resolution)},
                                 {"biplane", mesh_of(fixtures::biplane(), mesh_resolution)}};
   for (const std::string& file : options.files) meshes.push_back({std::filesystem::path(file).stem().string(), read_mesh(file)});
@@ -48,6 +53,7 @@ void add_options(CLI::App& app, Options& options) {
   MatchingOptions& matching = options.matching;
   app.add_option("files", options.files, "Meshes, besides those made in code");
   app.add_option("--pair", matching.pairs, "Besides, match these two files; may stand several times")->type_name("MODEL DATA");
+  app.add_option("--program", options.program, "The built homolog: besides, how long it takes to the first line of --help");
   app.add_option("--grids", matching.grids, "Voxels along the longest side")->delimiter(',')->capture_default_str();
   app.add_option("--threads", matching.threads, "Numbers of threads, 0 for all cores")->delimiter(',')->capture_default_str();
   app.add_option("--points", matching.points, "Match two balls with about so many points; 0 for none")
@@ -60,28 +66,44 @@ void add_options(CLI::App& app, Options& options) {
   app.add_flag("--quick", options.quick, "One run on grids 64 and 128, one thread, 30 points, 1 and 2 copies: to see that all works");
 }
 
+// What the ratios of the table below mean on this machine.
+void print_floor(const MachineFloor& floor) {
+  fmt::print("this machine, one thread: copy {:.1f} GB/s, fused multiply-add {:.0f} GFLOP/s (AVX2 where there is)\n", floor.copy_gb_per_s,
+             floor.fma_gflop_per_s);
+  const double example = 128.0 * 128 * 128;
+  fmt::print(
+      "x floor: CPU time over that of the dense pyramid's arithmetic on the voxels of the grid ({:.1f} ms at 128^3); x cube: on as many as "
+      "a cube has that is as long\n",
+      scale_space_floor_ms(floor, example));
+  fmt::print(
+      "x copy: CPU time over that of moving once what the stage must read and write (at 128^3: voxels {:.1f} ms, salient points {:.1f}, "
+      "descriptors {:.1f})\n",
+      copy_floor_ms(floor, "voxels", example), copy_floor_ms(floor, "salient points", example),
+      copy_floor_ms(floor, "descriptors", example));
+}
+
+void measure_speed(const Options& options) {
+  const MachineFloor floor = measure_floor();
+  fmt::print("{}\n", machine_and_commit());
+  print_floor(floor);
+  if (!options.program.empty()) {
+    const StartTime start = measure_start({options.program, "--help"}, starts);
+    fmt::print("start to the first line of --help: {:.1f} ms, {:.1f} CPU ms\n", start.first_line_ms, start.cpu_ms);
+  }
+  print_speed_header();
+  for (const NamedMesh& shape : meshes_of(options)) measure_shape(shape, options.matching, floor);
+  measure_whole_matches(options.matching, floor);
+  measure_points(options.matching);
+  measure_copies(options.matching);
+}
+
 int run(int argc, char** argv) {
   CLI::App app{"Time and memory of every stage of describing and matching, beside the machine's floor"};
   Options options;
   add_options(app, options);
   CLI11_PARSE(app, argc, argv);
   if (options.quick) options.matching = {{64, 128}, {1}, {30}, {1, 2}, options.matching.pairs, 1};
-  const MachineFloor floor = measure_floor();
-  fmt::print("this machine, one thread: copy {:.1f} GB/s, fused multiply-add {:.0f} GFLOP/s (AVX2 where there is)\n", floor.copy_gb_per_s,
-             floor.fma_gflop_per_s);
-  const double example = 128.0 * 128 * 128;
-  fmt::print("x floor: CPU time over that of the dense pyramid's arithmetic on the voxels of the grid ({:.1f} ms at 128^3)\n",
-             scale_space_floor_ms(floor, example));
-  fmt::print(
-      "x copy: CPU time over that of moving once what the stage must read and write (at 128^3: voxels {:.1f} ms, salient points {:.1f}, "
-      "descriptors {:.1f})\n",
-      copy_floor_ms(floor, "voxels", example), copy_floor_ms(floor, "salient points", example),
-      copy_floor_ms(floor, "descriptors", example));
-  print_speed_header();
-  for (const NamedMesh& shape : meshes_of(options)) measure_shape(shape, options.matching, floor);
-  measure_whole_matches(options.matching, floor);
-  measure_points(options.matching);
-  measure_copies(options.matching);
+  measure_speed(options);
   return 0;
 }
 

@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <cstdio>
 
 #include "stage_times.h"
@@ -16,21 +16,26 @@ std::string ratio_text(double milliseconds, double floor) { return floor > 0 ? f
 }  // namespace
 
 void print_speed_header() {
-  fmt::print("\n{:14} {:>5} {:>7}  {:20} {:>9} {:>9} {:>9} {:>9} {:>9}  of\n", "shape", "grid", "threads", "stage", "ms", "CPU ms",
-             "x floor", "x copy", "peak MiB");
+  fmt::print("\n{:14} {:>5} {:>7}  {:20} {:>9} {:>9} {:>9} {:>9} {:>9} {:>9}  of\n", "shape", "grid", "threads", "stage", "ms", "CPU ms",
+             "x floor", "x cube", "x copy", "peak MiB");
 }
 
 void print_speed_rows(const Measured& measured, const std::vector<Stage>& stages, const MachineFloor& floor) {
-  const auto voxels = std::find_if(stages.begin(), stages.end(), [](const Stage& stage) { return stage.name == "voxels"; });
-  const double count = voxels == stages.end() ? 0 : static_cast<double>(voxels->count);
+  double count = 0, cubes = 0;  // voxels, and how many they would be if shapes were cubes
+  for (const Stage& stage : stages) {
+    if (stage.name == "voxels") count += static_cast<double>(stage.count), cubes += std::pow(measured.grid, 3);
+  }
   const auto row = [&](const Stage& stage, const std::string& of) {
-    const double arithmetic = stage.name == "salient points" ? scale_space_floor_ms(floor, count) : 0;
-    fmt::print("{:14} {:5} {:>7}  {:20} {:9.1f} {:9.1f} {:>9} {:>9} {:9.1f}  {}\n", measured.name, measured.grid,
+    const bool salient = stage.name == "salient points";
+    const auto over_arithmetic = [&](double voxels) {
+      return ratio_text(stage.cpu_milliseconds, salient ? scale_space_floor_ms(floor, voxels) : 0);
+    };
+    fmt::print("{:14} {:5} {:>7}  {:20} {:9.1f} {:9.1f} {:>9} {:>9} {:>9} {:9.1f}  {}\n", measured.name, measured.grid,
                measured.threads == 0 ? "all" : std::to_string(measured.threads), stage.name, stage.milliseconds, stage.cpu_milliseconds,
-               ratio_text(stage.cpu_milliseconds, arithmetic), ratio_text(stage.cpu_milliseconds, copy_floor_ms(floor, stage.name, count)),
+               over_arithmetic(count), over_arithmetic(cubes), ratio_text(stage.cpu_milliseconds, copy_floor_ms(floor, stage.name, count)),
                static_cast<double>(stage.peak_bytes) / (1 << 20), of);
   };
-  for (const Stage& stage : stages) row(stage, fmt::format("{} {}", stage.count, stage.counted));
+  for (const Stage& stage : by_name(stages)) row(stage, fmt::format("{} {}", stage.count, stage.counted));
   row({"all", sum_of(stages, &Stage::milliseconds), sum_of(stages, &Stage::cpu_milliseconds), stages.back().peak_bytes, 0, ""}, "");
   std::fflush(stdout);
 }

@@ -18,7 +18,7 @@ struct Measured {
 
 void print_speed_header();
 
-/// A row a stage, with ratios to the machine's floor for those that arithmetic or memory bound, and one for all.
+/// A row for all stages of a name, with ratios to the machine's floor for those that arithmetic or memory bound, and one for all.
 void print_speed_rows(const Measured& measured, const std::vector<Stage>& stages, const MachineFloor& floor);
 
 }  // namespace homolog::bench

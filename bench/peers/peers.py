@@ -9,7 +9,8 @@ case is one process per method, all methods one after the other and that three t
 peak. Shapes: the model against itself turned at random, times 1 and 1.7, whole or the lower 45 % of its longest side alone; and with --poses,
 two meshes whose vertices correspond by number. Rigid peers get 20 000 points of the whole with exact normals and the part's points without
 a cap. right: the vertices of the model land within 5 % of the data's diagonal of their true places, root mean square. share: of vertices
-within 5 %. Volumes (--grids): the blur of a scale space alone, and points at 27 balls of all sizes; homolog gets these as a mesh.
+within 5 %. Volumes (--grids): the blur of a scale space alone, beside all that `homolog points` does for a ball that fills as large a volume; and
+points at 27 balls of all sizes. homolog gets balls as meshes.
 """
 import argparse
 import json
@@ -25,7 +26,7 @@ PACKAGES = ["numpy", "scipy", "scikit-image", "open3d", "itk-filtering", "pycpd"
 PCL = ["pcl_features", "pcl_filters", "pcl_kdtree", "pcl_recognition"]  # by Debian: libpcl-dev
 RIGID = ["homolog", "pcl-shot-gc", "open3d-ransac", "open3d-ransac-scaling", "open3d-sweep"]
 DENSE = ["homolog", "open3d-ransac", "pycpd-deformable", "probreg-bcpd"]
-PYRAMIDS = ["scipy-pyramid", "itk-pyramid"]
+PYRAMIDS = ["homolog", "scipy-pyramid", "itk-pyramid"]
 POINTS = ["homolog", "skimage-blob-dog"]
 PACKAGE_OF = {"pcl": "libpcl-dev", "open3d": "open3d", "pycpd": "pycpd", "probreg": "probreg", "scipy": "scipy", "itk": "itk-filtering",
               "skimage": "scikit-image"}  # by the first word of a method
@@ -117,14 +118,18 @@ def run_volumes(python, installed, grid, folder, options):
         return needed <= free
 
     program = os.path.join(HERE, "volume_peers.py")
-    for name, methods in ((f"pyramid {grid}^3, 4 octaves of 5 Gaussians", PYRAMIDS), (f"27 balls in {grid}^3, their points", POINTS)):
+    judge = [python, program, "judge", str(grid)]
+
+    def run(name, methods, mesh, verdict):
         commands = {method: [python, program, method, str(grid)] for method in methods if installed(method) and fits(name, method)}
-        if "homolog" in commands:
-            balls = os.path.join(folder, "balls.off")
-            subprocess.run([python, program, "balls", str(grid), balls], check=True)
-            commands["homolog"] = [options.program, "points", balls, "--resolution", str(grid), "--json", "--quiet", "--threads", "1"]
-        judge = [python, program, "judge", str(grid)]
-        run_in_turns(name, commands, lambda text: judged(judge, text, folder) if methods is POINTS else "", options)
+        file = os.path.join(folder, mesh + ".off")
+        subprocess.run([python, program, mesh, str(grid), file], check=True)
+        commands["homolog"] = [options.program, "points", file, "--resolution", str(grid), "--json", "--quiet", "--threads", "1"]
+        run_in_turns(name, commands, verdict, options)
+
+    run(f"pyramid {grid}^3, 4 octaves of 5 Gaussians", PYRAMIDS, "ball",
+        lambda text: "read, voxels, pyramid, minima, descriptors" if text.startswith("{") else "blurs alone")
+    run(f"27 balls in {grid}^3, their points", POINTS, "balls", lambda text: judged(judge, text, folder))
 
 
 def parsed_options():

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Peers on volumes of N^3 made here: volume_peers.py METHOD N, METHOD one of scipy-pyramid, itk-pyramid, skimage-blob-dog.
 
-blob-dog looks for balls and prints [[x, y, z], ...]; volume_peers.py balls N FILE writes the same balls as a mesh, for homolog, and
+blob-dog looks for balls and prints [[x, y, z], ...]; volume_peers.py balls N FILE writes the same balls as a mesh, for homolog (ball N FILE
+one that fills the volume, for beside the pyramids), and
 volume_peers.py judge N FILE says how many of them an answer found, that of blob-dog or homolog's points.json."""
 import json
 import sys
@@ -31,8 +32,8 @@ def ball_volume(grid):
     return volume
 
 
-def ball_mesh(grid, path, rings=24):
-    """As OFF: balls of `rings` circles of latitude."""
+def ball_mesh(placed, path, rings=24):
+    """As OFF: balls by their centres and radii, of `rings` circles of latitude."""
     vertices, triangles = [], []
     theta, phi = np.pi * np.arange(1, rings) / rings, 2 * np.pi * np.arange(2 * rings) / (2 * rings)
     sphere = [(0, 0, 1)] + [(np.sin(t) * np.cos(p), np.sin(t) * np.sin(p), np.cos(t)) for t in theta for p in phi] + [(0, 0, -1)]
@@ -43,7 +44,7 @@ def ball_mesh(grid, path, rings=24):
             a, b = 1 + i * row + j, 1 + i * row + (j + 1) % row
             faces += [(a, a + row, b + row), (a, b + row, b)]
     faces += [(last, last - row + (j + 1) % row, last - row + j) for j in range(row)]
-    for centre, radius in zip(*balls(grid)):
+    for centre, radius in placed:
         triangles += [tuple(len(vertices) + corner for corner in face) for face in faces]
         vertices += [centre + radius * np.array(v) for v in sphere]
     with open(path, "w") as file:
@@ -94,7 +95,9 @@ def itk_blur(volume, sigma):
 
 method, side = sys.argv[1], int(sys.argv[2])
 if method == "balls":
-    ball_mesh(side, sys.argv[3])
+    ball_mesh(zip(*balls(side)), sys.argv[3])
+elif method == "ball":
+    ball_mesh([(np.full(3, side / 2), side / 2)], sys.argv[3], 200)
 elif method == "judge":
     print(judge(side, sys.argv[3]))
 elif method == "skimage-blob-dog":
