@@ -30,8 +30,8 @@ std::string family_table(const Family& family) {
 std::string why_nothing(const Shape& model, const Shape& data, const StageCounts& counts) {
   if (model.points.empty()) return no_points(model);
   if (data.points.empty()) return no_points(data);
-  auto last =
-      std::prev(counts.stages.end());  // from the end: some sets grow without points, so a stage may be empty before one that is not
+  // From the end: some sets grow without points, so a stage may be empty before one that is not.
+  auto last = std::prev(counts.stages.end());
   while (last != counts.stages.begin() && last->second == 0) --last;
   return fmt::format("nothing found: none of {} {} between {} and {} is a match; a higher --resolution shows more of them", last->second,
                      last->first, model.name, data.name);
