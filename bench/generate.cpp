@@ -76,16 +76,22 @@ void add_changed(std::vector<Case>& cases, const Source& source, std::uint64_t s
   cases.push_back(changed_case("clustered", source, clustered(mesh, 48), mesh.vertices));
 }
 
-// Parts of 15 to 60 % in the bent whole, and the whole in what is left when a piece is missing.
+// The vertices of `whole`, which is the source changed, are the source's.
+Case part_case(const std::string& kind, const Source& source, const CutPart& part, const std::string& change, const Mesh& whole) {
+  return make_case("part", kind, source, shape(source.name + "~" + kind, part.mesh), shape(source.name + "~" + change, whole),
+                   {truth_of(source, part.whole_vertex, part.mesh.vertices, whole.vertices)});
+}
+
+// Parts of 15 to 60 % in the bent whole, one of 45 % in the whole as it is, and the whole in what is left when a piece is missing.
 void add_cut(std::vector<Case>& cases, const Source& source, std::uint64_t seed) {
   Random random(seed, source.name + " cut");
   const Mesh data = bent(source.mesh, 30);
   for (const int percent : {15, 35, 60}) {
     const CutPart part = cut_share(source.mesh, random.direction(), percent / 100.0);
-    cases.push_back(make_case("part", fmt::format("part{}", percent), source,
-                              shape(fmt::format("{}~part{}", source.name, percent), part.mesh), shape(source.name + "~bent30", data),
-                              {truth_of(source, part.whole_vertex, part.mesh.vertices, data.vertices)}));
+    cases.push_back(part_case(fmt::format("part{}", percent), source, part, "bent30", data));
   }
+  const CutPart half = cut_share(source.mesh, Random(seed, source.name + " itself").direction(), 0.45);
+  cases.push_back(part_case("part_in_itself", source, half, "same", source.mesh));
   const CutPart rest = cut_share(source.mesh, random.direction(), 0.7);
   const TruePoints truth = truth_of(source, rest.whole_vertex, rest.mesh.vertices, source.mesh.vertices);
   cases.push_back(

@@ -5,7 +5,7 @@
 usage: more_pairs.py FOLDER OUT
 
 FOLDER holds pairs.tsv, its shapes and their truth. OUT becomes a folder that links to them, with 300 pairs (always the same ones) of
-which none is in FOLDER's list, for bench_accuracy OUT.
+which none is in FOLDER's list, and 150 pairs of shapes that share nothing, for bench_accuracy OUT.
 """
 import os
 import random
@@ -21,6 +21,8 @@ WHOLES = [  # set, pairs, truth
     ("animals_0ad", 6, VERTICES),
 ]
 MOST_PARTS, MOST_OF_ONE_PART = 120, 3
+FOREIGN = ["hand_webxr", "animals_clicked", "humans_makehuman", "biplanes_flightgear", "primate_hemispheres"]  # but animals and people: both have four limbs
+STRANGERS = 150
 
 
 def shapes_of(folder, name):
@@ -74,6 +76,13 @@ def parts(folder, listed, first_rows):
     return rows
 
 
+def strangers(folder):
+    sets = [(a, b) for a in FOREIGN for b in FOREIGN if a != b and {a, b} != {"animals_clicked", "humans_makehuman"}]
+    pairs = [(f"{a}/{model}", f"{b}/{data}") for a, b in sets for model in shapes_of(folder, a) for data in shapes_of(folder, b)]
+    wholes = [pair for pair in pairs if "__" not in pair[0] + pair[1]]
+    return [("unrelated", *pair, "share nothing") for pair in random.Random(6).sample(sorted(wholes), STRANGERS)]
+
+
 def main(folder, out):
     random.seed(5)
     with open(os.path.join(folder, "pairs.tsv"), encoding="utf-8") as file:
@@ -85,7 +94,7 @@ def main(folder, out):
         link = os.path.join(out, name)
         if name != "pairs.tsv" and not os.path.lexists(link):
             os.symlink(os.path.join(os.path.abspath(folder), name), link)
-    rows = wholes(folder, listed) + parts(folder, listed, first_rows)
+    rows = wholes(folder, listed) + parts(folder, listed, first_rows) + strangers(folder)
     with open(os.path.join(out, "pairs.tsv"), "w", encoding="utf-8") as file:
         file.write("\n".join([header] + ["\t".join((*row, "-", "")) for row in rows]) + "\n")
     print(f"{len(rows)} pairs in {out}")

@@ -10,7 +10,7 @@ namespace homolog::bench {
 
 /// One row of pairs.tsv. Models are named by their path in the folder, without ".off".
 struct PairEntry {
-  std::string task;  ///< whole, part or mirror; of generated cases also scene or unrelated
+  std::string task;  ///< whole, part, mirror or unrelated; of generated cases also scene
   std::string model, data;
   std::string truth;  ///< what the list says of the truth, in words
 };
