@@ -105,7 +105,7 @@ Mesh clustered(const Mesh& mesh, int cells) {
   }
   for (std::size_t i = 0; i < sizes.size(); ++i) coarse.vertices[i] /= sizes[i];
   for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array<std::uint32_t, 3> t{cluster_of[a], cluster_of[b], cluster_of[c]};
+    const Triangle t{cluster_of[a], cluster_of[b], cluster_of[c]};
     if (t[0] != t[1] && t[1] != t[2] && t[2] != t[0]) coarse.triangles.push_back(t);
   }
   return coarse;

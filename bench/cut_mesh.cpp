@@ -37,7 +37,7 @@ class Cutter {
     return place->second;
   }
 
-  void add(const std::array<std::uint32_t, 3>& triangle) {
+  void add(const Triangle& triangle) {
     std::vector<std::uint32_t> corners;
     std::uint32_t leave = 0, enter = 0;
     bool crosses = false;

@@ -50,10 +50,9 @@ Chirality chirality_of(const MatchMap& match) {
   return match.data_from_model.affine.leftCols<3>().determinant() < 0 ? Chirality::mirrored : Chirality::proper;
 }
 
-std::vector<std::array<std::uint32_t, 3>> carried_triangles(const MatchMap& match, const Mesh& mesh) {
-  std::vector<std::array<std::uint32_t, 3>> triangles = mesh.triangles;
-  if (chirality_of(match) == Chirality::proper) return triangles;
-  for (auto& [a, b, c] : triangles) std::swap(b, c);
+std::vector<Triangle> carried_triangles(const MatchMap& match, const Mesh& mesh) {
+  std::vector<Triangle> triangles = mesh.triangles;
+  if (chirality_of(match) == Chirality::mirrored) turn_over(triangles);
   return triangles;
 }
 

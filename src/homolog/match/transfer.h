@@ -43,7 +43,7 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
 Chirality chirality_of(const MatchMap& match);
 
 /// The triangles of a mesh that the map carries, either way: turned over where it mirrors, so that the outer side stays outside.
-std::vector<std::array<std::uint32_t, 3>> carried_triangles(const MatchMap& match, const Mesh& mesh);
+std::vector<Triangle> carried_triangles(const MatchMap& match, const Mesh& mesh);
 
 enum class Direction { data_from_model, model_from_data };
 

@@ -16,7 +16,6 @@ namespace homolog {
 namespace {
 
 using nlohmann::ordered_json;
-using Triangle = std::array<std::uint32_t, 3>;
 
 /// The vertices as glTF wants them, with one UV each: those of the mesh, then copies of some.
 struct Split {
@@ -219,9 +218,7 @@ std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::f
   const Vec3 origin = mesh.rig.joints.empty() ? Vec3((box.min + box.max) / 2) : Vec3::Zero();
   const bool inside_out = is_inside_out(mesh.mesh, vertex_normals(mesh.mesh));
   std::vector<Triangle> triangles = mesh.mesh.triangles;
-  if (inside_out) {
-    for (Triangle& triangle : triangles) std::swap(triangle[1], triangle[2]);
-  }
+  if (inside_out) turn_over(triangles);
   GltfContent content;
   const Split split = split_at_seams(mesh);
   const Tables tables = add_tables(content, mesh, triangles, split, origin);

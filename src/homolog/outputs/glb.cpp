@@ -92,7 +92,7 @@ Floats difference(const Floats& a, const Floats& b) {
   return result;
 }
 
-Floats unit_normals(const std::vector<Vec3>& positions, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+Floats unit_normals(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles) {
   std::vector<Vec3> normals = oriented_normals({positions, triangles});
   for (Vec3& normal : normals) {
     if (normal.squaredNorm() == 0) normal = Vec3::UnitZ();

@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-#include "homolog/base/vec.h"
+#include "homolog/shape/mesh.h"
 
 namespace homolog {
 
@@ -42,7 +42,7 @@ Floats floats_of(const std::vector<Vec3>& vectors, const Vec3& origin = Vec3::Ze
 Floats difference(const Floats& a, const Floats& b);
 
 /// Normals of unit length, as glTF wants them, also where a vertex has no triangle; of triangles that are oriented already.
-Floats unit_normals(const std::vector<Vec3>& positions, const std::vector<std::array<std::uint32_t, 3>>& triangles);
+Floats unit_normals(const std::vector<Vec3>& positions, const std::vector<Triangle>& triangles);
 
 /// Adds "asset", and "accessors", "bufferViews" and "buffers" of the content. The buffer lies in the file `uri`; empty: in the same one.
 nlohmann::ordered_json gltf_document(const nlohmann::ordered_json& json, const GltfContent& content, const std::string& uri = "");

@@ -31,7 +31,7 @@ void extend(Box& bounds, const Vec3& point) {
 
 }  // namespace
 
-Box clipped_bounding_box(const std::vector<Vec3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles, const Box& box) {
+Box clipped_bounding_box(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, const Box& box) {
   Box bounds;
   bounds.min.setConstant(std::numeric_limits<double>::infinity());
   bounds.max = -bounds.min;

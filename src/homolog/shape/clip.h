@@ -12,6 +12,6 @@ namespace homolog {
 
 /// The bounding box of the solid inside `box`: of the surface clipped by it, and of the box's corners that lie inside the solid.
 /// Empty (max < min) when there is nothing.
-Box clipped_bounding_box(const std::vector<Vec3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles, const Box& box);
+Box clipped_bounding_box(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles, const Box& box);
 
 }  // namespace homolog

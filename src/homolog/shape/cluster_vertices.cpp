@@ -55,7 +55,7 @@ ClusteredMesh cluster_vertices(const Mesh& mesh, double cell, const std::vector<
     result.vertices.push_back(sum / static_cast<double>(end - begin));
   }
   for (const auto& [a, b, c] : mesh.triangles) {
-    const std::array<std::uint32_t, 3> triangle{cluster_of[a], cluster_of[b], cluster_of[c]};
+    const Triangle triangle{cluster_of[a], cluster_of[b], cluster_of[c]};
     if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0]) result.triangles.push_back(triangle);
   }
   return clustered;

@@ -108,7 +108,7 @@ class CoverageLayer {
         differences_(stride_ * surface.size[1]),
         touched_(surface.size[1]) {}
 
-  void add(const std::array<std::uint32_t, 3>& triangle, int z) {
+  void add(const Triangle& triangle, int z) {
     Polygon whole, cut_z[2], cut_y[2];
     for (const std::uint32_t corner : triangle) whole.add(surface_.vertices[corner]);
     const Box& part = surface_.part;

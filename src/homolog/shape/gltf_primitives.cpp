@@ -47,15 +47,14 @@ GltfTable positions_of(const GltfFile& file, const json& primitive) {
   return read_gltf_table(file, *number, {"POSITION", {3}, {}});
 }
 
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfFile& file, const json& primitive, std::size_t vertices,
-                                                       std::uint32_t first) {
+std::vector<Triangle> triangles_of(const GltfFile& file, const json& primitive, std::size_t vertices, std::uint32_t first) {
   const std::vector<double> indices = indices_of(file, primitive, vertices);
   for (const double index : indices) {
     if (!(index >= 0 && index < static_cast<double>(vertices))) {
       fail(file, fmt::format("a triangle names vertex {} of {}", index, vertices));
     }
   }
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Triangle> triangles;
   const auto add = [&](std::size_t a, std::size_t b, std::size_t c) {
     const auto at = [&](std::size_t i) { return first + static_cast<std::uint32_t>(indices[i]); };
     triangles.push_back({at(a), at(b), at(c)});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "homolog/shape/gltf_table.h"
+#include "homolog/shape/mesh.h"
 
 namespace homolog {
 
@@ -17,8 +18,7 @@ bool draws_triangles(const GltfFile& file, const nlohmann::json& primitive);
 GltfTable positions_of(const GltfFile& file, const nlohmann::json& primitive);
 
 /// The triangles of a primitive that has so many vertices, the first of them being number `first`. Throws FileError.
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const GltfFile& file, const nlohmann::json& primitive, std::size_t vertices,
-                                                       std::uint32_t first);
+std::vector<Triangle> triangles_of(const GltfFile& file, const nlohmann::json& primitive, std::size_t vertices, std::uint32_t first);
 
 /// Throws FileError for more than `most_triangles`, or three times as many vertices.
 void check_count(const GltfFile& file, std::size_t triangles, std::size_t vertices, std::size_t most_triangles);

@@ -132,9 +132,7 @@ Mesh label_surface(const RawVolume& volume, const Label& label, const std::strin
   const Mat3 axes = volume.world_from_voxel.topLeftCorner<3, 3>();
   const Vec3 origin = volume.world_from_voxel.topRightCorner<3, 1>();
   for (Vec3& vertex : mesh.vertices) vertex = axes * (vertex + first) + origin;
-  if (axes.determinant() < 0) {
-    for (auto& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
-  }
+  if (axes.determinant() < 0) turn_over(mesh.triangles);
   return mesh;
 }
 

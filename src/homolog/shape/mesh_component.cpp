@@ -103,7 +103,7 @@ void turn_components(std::vector<Component>& components, std::vector<Triangle>& 
   }
   for (const Component& component : components) {
     if (!component.turned) continue;
-    for (const std::uint32_t t : component.triangles) turn(triangles[t]);
+    for (const std::uint32_t t : component.triangles) turn_over(triangles[t]);
   }
 }
 

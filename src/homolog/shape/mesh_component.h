@@ -2,14 +2,11 @@
 // Pieces of a mesh whose triangles hang together, and which of them are to be turned.
 #pragma once
 
-#include <utility>
 #include <vector>
 
 #include "homolog/shape/mesh.h"
 
 namespace homolog {
-
-using Triangle = std::array<std::uint32_t, 3>;
 
 struct Component {
   std::vector<std::uint32_t> triangles;
@@ -19,8 +16,6 @@ struct Component {
   bool solid = false;   // closed enough for its volume to have a sign
   bool turned = false;  // to be turned as a whole
 };
-
-inline void turn(Triangle& triangle) { std::swap(triangle[1], triangle[2]); }
 
 /// Fills in box, volume and solid of a component whose triangles are known.
 void measure(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh);

@@ -122,7 +122,7 @@ void turn_fewer(const Component& component, const std::vector<std::uint8_t>& tur
     kept += (turned[t] ? -1 : 1) * (b - a).cross(c - a).norm();
   }
   for (const std::uint32_t t : component.triangles) {
-    if ((turned[t] != 0) == (kept >= 0)) turn(triangles[t]);
+    if ((turned[t] != 0) == (kept >= 0)) turn_over(triangles[t]);
   }
 }
 
@@ -177,7 +177,7 @@ Face face_of(const Triangle& t, const std::vector<std::uint32_t>& vertex, std::u
   Triangle c{vertex[t[0]], vertex[t[1]], vertex[t[2]]};
   std::rotate(c.begin(), std::min_element(c.begin(), c.end()), c.end());
   const bool front = c[1] < c[2];
-  if (!front) std::swap(c[1], c[2]);
+  if (!front) turn_over(c);
   return {c, front, number};
 }
 

@@ -11,9 +11,9 @@
 namespace homolog {
 
 struct OrientedSurface {
-  std::vector<std::array<std::uint32_t, 3>> triangles;  ///< of the mesh, turned, without copies and those with two corners in one place
-  std::size_t components = 0;                           ///< pieces whose triangles hang together by edges that two of them share
-  double open = 0;                                      ///< share (0 to 1) of the triangles' sides that none runs back along: 0 if closed
+  std::vector<Triangle> triangles;  ///< of the mesh, turned, without copies and those with two corners in one place
+  std::size_t components = 0;       ///< pieces whose triangles hang together by edges that two of them share
+  double open = 0;                  ///< share (0 to 1) of the triangles' sides that none runs back along: 0 if closed
   bool closed() const { return open == 0; }
 };
 

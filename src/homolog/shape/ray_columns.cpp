@@ -47,7 +47,7 @@ double limited(double x, double most) { return x > 0 ? std::min(x, most) : 0; }
 
 void sort_into_layers(const GridSurface& surface, RayBundle& bundle) {
   const int axis = bundle.axes.row, layers = surface.size[axis];
-  const auto range = [&](const std::array<std::uint32_t, 3>& t) {
+  const auto range = [&](const Triangle& t) {
     const auto [low, high] = std::minmax({surface.vertices[t[0]][axis], surface.vertices[t[1]][axis], surface.vertices[t[2]][axis]});
     return std::pair{static_cast<int>(limited(low, layers)), high < 0 ? -1 : static_cast<int>(limited(high, layers - 1))};
   };

@@ -18,7 +18,7 @@ inline constexpr int rays_per_voxel = 4;
 struct GridSurface {
   std::array<int, 3> size;
   std::vector<Vec3> vertices;
-  std::vector<std::array<std::uint32_t, 3>> triangles;
+  std::vector<Triangle> triangles;
   Box part;  ///< only what is inside counts; within [0, size]
 
   std::size_t voxels() const { return static_cast<std::size_t>(size[0]) * size[1] * size[2]; }

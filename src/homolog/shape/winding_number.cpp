@@ -42,7 +42,7 @@ void halve_all(std::vector<std::uint32_t>& order, std::size_t first, std::size_t
 
 }  // namespace
 
-WindingNumber::WindingNumber(const std::vector<Vec3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles) {
+WindingNumber::WindingNumber(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles) {
   std::vector<std::uint32_t> order(triangles.size());
   std::iota(order.begin(), order.end(), 0u);
   std::vector<Vec3> centres;

@@ -13,7 +13,7 @@ namespace homolog {
 class WindingNumber {
  public:
   /// Of triangles whose front is outside. From far away the area vector of a group of them stands for the group.
-  WindingNumber(const std::vector<Vec3>& vertices, const std::vector<std::array<std::uint32_t, 3>>& triangles);
+  WindingNumber(const std::vector<Vec3>& vertices, const std::vector<Triangle>& triangles);
 
   /// The winding number around x. Inside a closed surface 1, outside 0, to within 0.05.
   double at(const Vec3& x) const;
