@@ -34,7 +34,7 @@ accuracy "The public list" public "$folder"
 accuracy "The paper's choices on it" paper "$folder" --preset paper
 accuracy "The public list turned, scaled and moved otherwise" turned "$folder" --turn 7
 told "How much that changes" bench/compare_rows.py "$rows/public.tsv" "$rows/turned.tsv"
-bench/more_pairs.py "$folder" "$rows/more" >&2
+python3 bench/more_pairs.py "$folder" "$rows/more" >&2
 accuracy "Other pairs of the same shapes, and pairs that share nothing" more "$rows/more"
 python3 -m venv "$rows/venv"
 "$rows/venv/bin/pip" -q --disable-pip-version-check install numpy scikit-image >&2

@@ -2,8 +2,10 @@
 // Where the time goes: every stage on shapes made in code and on files, grids from coarse to fine, one thread and all; beside what the
 // machine could do at best, measured in the same run. It reports and judges nothing.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -14,8 +16,8 @@
 #include "machine.h"
 #include "machine_floor.h"
 #include "matching_speed.h"
+#include "process_time.h"
 #include "speed_rows.h"
-#include "start_time.h"
 
 namespace homolog::bench {
 namespace {
@@ -53,7 +55,7 @@ void add_options(CLI::App& app, Options& options) {
   MatchingOptions& matching = options.matching;
   app.add_option("files", options.files, "Meshes, besides those made in code");
   app.add_option("--pair", matching.pairs, "Besides, match these two files; may stand several times")->type_name("MODEL DATA");
-  app.add_option("--program", options.program, "The built homolog: besides, how long it takes to the first line of --help");
+  app.add_option("--program", options.program, "The built homolog: besides, its start, and matches of the pairs as whole processes");
   app.add_option("--grids", matching.grids, "Voxels along the longest side")->delimiter(',')->capture_default_str();
   app.add_option("--threads", matching.threads, "Numbers of threads, 0 for all cores")->delimiter(',')->capture_default_str();
   app.add_option("--points", matching.points, "Match two balls with about so many points; 0 for none")
@@ -82,12 +84,34 @@ void print_floor(const MachineFloor& floor) {
       copy_floor_ms(floor, "descriptors", example));
 }
 
+void print_process(const std::string& name, int grid, const std::string& results, const ProcessTime& time) {
+  fmt::print("{:14} {:5} {:>9} {:>9.0f} {:>9.1f}\n", name, grid, results, time.cpu_ms, time.peak_mib);
+  std::fflush(stdout);
+}
+
+// All that a user waits for: the process starts, reads, matches, and writes all its results or prints them as JSON.
+void measure_processes(const Options& options) {
+  const std::filesystem::path folder = std::filesystem::temp_directory_path() / fmt::format("homolog_speed_{}", getpid());
+  fmt::print("\nhomolog match as a process, one thread\n{:14} {:>5} {:>9} {:>9} {:>9}\n", "shape", "grid", "results", "CPU ms", "peak MiB");
+  for (const auto& [model, data] : options.matching.pairs) {
+    for (const int grid : options.matching.grids) {
+      const std::string name = std::filesystem::path(model).stem().string(), voxels = std::to_string(grid);
+      std::vector<std::string> words{options.program, "match", model, data, "--threads", "1", "--quiet", "--resolution", voxels, "--json"};
+      print_process(name, grid, "JSON", measure_process(words, options.matching.repeats));
+      words.back() = "--out";
+      words.push_back(folder.string());
+      print_process(name, grid, "files", measure_process(words, options.matching.repeats));
+    }
+  }
+  std::filesystem::remove_all(folder);
+}
+
 void measure_speed(const Options& options) {
   const MachineFloor floor = measure_floor();
   fmt::print("{}\n", machine_and_commit());
   print_floor(floor);
   if (!options.program.empty()) {
-    const StartTime start = measure_start({options.program, "--help"}, starts);
+    const ProcessTime start = measure_process({options.program, "--help"}, starts);
     fmt::print("start to the first line of --help: {:.1f} ms, {:.1f} CPU ms\n", start.first_line_ms, start.cpu_ms);
   }
   print_speed_header();
@@ -95,6 +119,7 @@ void measure_speed(const Options& options) {
   measure_whole_matches(options.matching, floor);
   measure_points(options.matching);
   measure_copies(options.matching);
+  if (!options.program.empty()) measure_processes(options);
 }
 
 int run(int argc, char** argv) {

@@ -82,7 +82,7 @@ int main(int argc, char** argv) {
   std::vector<Eigen::Matrix4f, Eigen::aligned_allocator<Eigen::Matrix4f>> found;
   std::vector<pcl::Correspondences> clusters;
   grouping.recognize(found, clusters);
-  if (clusters.empty()) return 1;
+  if (clusters.empty()) return 0;  // nothing printed is nothing found
   std::size_t best = 0;
   for (std::size_t i = 1; i < clusters.size(); ++i) best = clusters[i].size() > clusters[best].size() ? i : best;
   std::printf("{\"matrix\": [");

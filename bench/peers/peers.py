@@ -48,12 +48,13 @@ def environment(folder):
 
 def built_pcl(folder):
     """The program of pcl_shot.cpp, or None where PCL is not installed."""
-    program = os.path.join(folder, "pcl_shot")
+    source, program = os.path.join(HERE, "pcl_shot.cpp"), os.path.join(folder, "pcl_shot")
     flags = subprocess.run(["pkg-config", "--cflags", "--libs", *PCL], capture_output=True, text=True)
     if flags.returncode != 0:
         return None
-    words = ["g++", "-O2", "-std=c++17", "-w", os.path.join(HERE, "pcl_shot.cpp"), "-o", program, *flags.stdout.split()]
-    return program if os.path.exists(program) or subprocess.run(words).returncode == 0 else None
+    words = ["g++", "-O2", "-std=c++17", "-w", source, "-o", program, *flags.stdout.split()]
+    built = os.path.exists(program) and os.path.getmtime(program) > os.path.getmtime(source)
+    return program if built or subprocess.run(words).returncode == 0 else None
 
 
 def timed(words, limit):
@@ -64,7 +65,7 @@ def timed(words, limit):
         _, status, usage = os.wait4(child.pid, 0)
         child.returncode = os.waitstatus_to_exitcode(status)
         out.seek(0)
-        return out.read() if child.returncode in (0, 1) else None, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
+        return out.read() if child.returncode == 0 else None, usage.ru_utime + usage.ru_stime, usage.ru_maxrss / 1024
 
 
 def run_in_turns(name, commands, judge, options):

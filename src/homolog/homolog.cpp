@@ -38,10 +38,9 @@ constexpr std::size_t region_starts_of_a_chirality = 12;
 
 // Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds.
 std::vector<GrownSet> grow_seeds(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates,
-                                 const Shape& model, const Shape& data, const Params& params) {
+                                 const Shape& model, const Params& params) {
   std::vector<GrownSet> sets(seeds.size());
-  parallel_for(seeds.size(),
-               [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, data, params.match.bending); });
+  parallel_for(seeds.size(), [&](std::size_t i) { sets[i] = grow_seed(seeds[i], chirality, candidates, model, params.match.bending); });
   return distinct_sets(std::move(sets), sets_of_a_chirality, model);
 }
 
@@ -53,7 +52,7 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, const Corresponde
   std::vector<GrownSet> sets;
   const auto add = [&](const std::vector<GrownSet>& some) { sets.insert(sets.end(), some.begin(), some.end()); };
   for (const Chirality chirality : {Chirality::proper, Chirality::mirrored}) {
-    add(grow_seeds(seeds, chirality, candidates, model, data, params));
+    add(grow_seeds(seeds, chirality, candidates, model, params));
     add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
     add(end_starts(ends, model, data, chirality, end_starts_of_a_chirality));
     add(region_starts(regions, model, data, chirality, region_starts_of_a_chirality));

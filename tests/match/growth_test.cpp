@@ -22,7 +22,7 @@ Shape sized_shape() {
 
 GrownSet grow(const CorrespondenceSet& candidates, Chirality chirality, double bending = 0.015) {
   const Seed seed{{candidates[0], candidates[1], candidates[2]}, 0};
-  return grow_seed(seed, chirality, candidates, sized_shape(), sized_shape(), bending);
+  return grow_seed(seed, chirality, candidates, sized_shape(), bending);
 }
 
 // Candidates ordered by model index, as find_candidates gives them, after the seed's three.

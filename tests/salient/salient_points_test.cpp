@@ -9,6 +9,8 @@
 
 #include "fixtures/solids.h"
 #include "homolog/base/parallel.h"
+#include "homolog/salient/refine_peak.h"
+#include "homolog/salient/scale_space.h"
 
 namespace homolog {
 namespace {
@@ -49,6 +51,55 @@ TEST(SalientPoints, NothingIsLostOrDoubledBetweenOctaves) {
     ASSERT_EQ(points.size(), 1u) << r;
     EXPECT_NEAR(points[0].radius / r, 1, 0.01) << r;
   }
+}
+
+// Whether a voxel exceeds all 80 neighbours in space and scale; no tie counts.
+bool tops_all_neighbours(const Octave& octave, int level, int i, int j, int k) {
+  for (int n = 0; n < 81; ++n) {
+    if (n == 40) continue;
+    if (octave.at(level - 1 + n / 27, i - 1 + n % 3, j - 1 + n / 3 % 3, k - 1 + n / 9 % 3) >= octave.at(level, i, j, k)) return false;
+  }
+  return true;
+}
+
+// The plain search: all voxels of all levels but those next to another octave, whose peaks may be told by that one.
+std::vector<SalientPoint> plain_points(const Interior& interior, const SalientParams& params, double least_sheet_fall) {
+  const double k = std::cbrt(2);
+  const ScaleCorrection correction(k);
+  std::vector<SalientPoint> points;
+  for_each_octave(interior, params, refinement_reach(params), [&](const Octave& octave) {
+    const auto& size = octave.frame().size;
+    for (int z = std::max(1, octave.first); z < std::min(size[2] - 1, octave.end); ++z) {
+      for (int y = 1; y + 1 < size[1]; ++y) {
+        for (int x = 1; x + 1 < size[0]; ++x) {
+          for (int level = 2; level + 2 < octave.levels(); ++level) {
+            if (octave.at(level, x, y, z) < 0.2F || !tops_all_neighbours(octave, level, x, y, z)) continue;
+            const RefinedPeak peak = refine_peak(octave, {level, {x, y, z}}, k, correction);
+            if (peak.point.response >= params.threshold && peak.sheet_fall > least_sheet_fall) points.push_back(peak.point);
+          }
+        }
+      }
+    }
+  });
+  return points;
+}
+
+TEST(SalientPoints, AreThoseOfThePlainSearch) {
+  std::size_t all = 0;
+  for (const Solid& solid : {hand(), biplane(), quadruped()}) {
+    const Interior interior = rasterize(moved(solid, {random_rotation(3), 1, Vec3::Zero()}), 96);
+    const SalientParams params;
+    const auto points = find_salient_points(interior, params), plain = plain_points(interior, params, 0.01);
+    all += plain.size();
+    for (const SalientPoint& point : plain) {
+      const bool told = std::any_of(points.begin(), points.end(), [&](const SalientPoint& other) {
+        return (other.position - point.position).norm() < 0.25 * point.radius && other.radius / point.radius < 1.2 &&
+               point.radius / other.radius < 1.2;
+      });
+      EXPECT_TRUE(told) << point.position.transpose() << " r " << point.radius << " response " << point.response;
+    }
+  }
+  EXPECT_GE(all, 10u);
 }
 
 TEST(SalientPoints, WorldFrameIsKept) {

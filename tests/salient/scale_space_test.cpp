@@ -90,7 +90,24 @@ Volume<float> plainly_blurred(Volume<float> volume, double sigma, float& plateau
   return volume;
 }
 
-// The fast way gives the bytes of the plain one: whole volumes, one level after the other, three loops each.
+// The voxels of a volume on another frame whose voxels coincide with some of its own, zero outside.
+Volume<float> on_frame(const Volume<float>& volume, const GridFrame& frame) {
+  Volume<float> picked{frame, std::vector<float>(frame.voxels())};
+  for (int z = 0; z < frame.size[2]; ++z) {
+    for (int y = 0; y < frame.size[1]; ++y) {
+      for (int x = 0; x < frame.size[0]; ++x) {
+        const Vec3 place = volume.frame.voxel_from_world(frame.world_from_voxel(Vec3(x, y, z)));
+        const std::array<int, 3> v{static_cast<int>(std::lround(place[0])), static_cast<int>(std::lround(place[1])),
+                                   static_cast<int>(std::lround(place[2]))};
+        if (volume.frame.contains(v[0], v[1], v[2])) picked.at(x, y, z) = volume.at(v[0], v[1], v[2]);
+      }
+    }
+  }
+  return picked;
+}
+
+// The fast way gives the bytes of the plain one: whole volumes, one level after the other, three loops each; every second voxel of the
+// level with twice the blur begins the next octave.
 TEST(ScaleSpace, GrowingOctavesEqualPlainOnesBitByBit) {
   const Interior interior = rasterize(join({ball({-19, 2, 1}, 15), ball({19, -3, 0}, 3)}), unit_grid(36, 18, 17));
   const SalientParams params;
@@ -98,29 +115,23 @@ TEST(ScaleSpace, GrowingOctavesEqualPlainOnesBitByBit) {
   for (const int reach : {0, 3}) {
     const auto octaves = whole_octaves(interior, reach);
     ASSERT_GE(octaves.size(), 2u);
-    Volume<float> fine;  // G(s_0) of the octave
-    fine.frame = octaves[0][0].frame;
-    fine.values.assign(fine.frame.voxels(), 0);
-    const Vec3 shift = interior.frame.voxel_from_world(fine.frame.origin);
-    const std::array<int, 3> first{static_cast<int>(std::lround(shift[0])), static_cast<int>(std::lround(shift[1])),
-                                   static_cast<int>(std::lround(shift[2]))};
-    for (int z = 0; z < interior.frame.size[2]; ++z) {
-      for (int y = 0; y < interior.frame.size[1]; ++y) {
-        for (int x = 0; x < interior.frame.size[0]; ++x) {
-          const std::array<int, 3> v{x - first[0], y - first[1], z - first[2]};
-          if (fine.frame.contains(v[0], v[1], v[2])) fine.at(v[0], v[1], v[2]) = interior.at(x, y, z);
-        }
-      }
-    }
     float plateau = 1;
+    Volume<float> fine = on_frame(interior, octaves[0][0].frame);  // G(s_0) of the octave, once blurred
     fine = plainly_blurred(fine, std::sqrt(params.sigma0 * params.sigma0 - 1.0 / 12), plateau);
-    for (std::size_t level = 0; level < octaves[0].size(); ++level) {
-      const Volume<float> coarse = plainly_blurred(fine, params.sigma0 * std::pow(k, level) * std::sqrt(k * k - 1), plateau);
-      const auto factor = static_cast<float>(-1 / (std::log(k) * ball_response(k)));
-      for (std::size_t v = 0; v < fine.values.size(); ++v) {
-        ASSERT_EQ(octaves[0][level].values[v], factor * (fine.values[v] - coarse.values[v])) << level;
+    for (const std::vector<Volume<float>>& octave : octaves) {
+      Volume<float> doubled;
+      float doubled_plateau = 0;
+      for (std::size_t level = 0; level < octave.size(); ++level) {
+        const Volume<float> coarse = plainly_blurred(fine, params.sigma0 * std::pow(k, level) * std::sqrt(k * k - 1), plateau);
+        const auto factor = static_cast<float>(-1 / (std::log(k) * ball_response(k)));
+        for (std::size_t v = 0; v < fine.values.size(); ++v) {
+          ASSERT_EQ(octave[level].values[v], factor * (fine.values[v] - coarse.values[v])) << level;
+        }
+        fine = coarse;
+        if (level + 1 == static_cast<std::size_t>(params.levels_per_octave)) doubled = fine, doubled_plateau = plateau;
       }
-      fine = coarse;
+      if (&octave != &octaves.back()) fine = on_frame(doubled, (&octave + 1)->front().frame);
+      plateau = doubled_plateau;
     }
   }
 }

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 
@@ -63,6 +64,65 @@ TEST(ExactCoverage, IsWhatRaysAreNearTo) {
       }
       EXPECT_GT(skin, 100);
       EXPECT_LT(std::sqrt(square / skin), 0.08);
+    }
+  }
+}
+
+using Face = std::vector<Vec3>;
+
+// What of a convex solid, given by its faces, lies where normal . x <= offset. By Sutherland and Hodgman's clipping, and a lid on the cut.
+std::vector<Face> clipped(const std::vector<Face>& faces, const Vec3& normal, double offset) {
+  std::vector<Face> kept;
+  Face lid;
+  for (const Face& face : faces) {
+    Face part;
+    for (std::size_t i = 0; i < face.size(); ++i) {
+      const Vec3 &a = face[i], &b = face[(i + 1) % face.size()];
+      const double height_a = normal.dot(a) - offset, height_b = normal.dot(b) - offset;
+      if (height_a <= 0) part.push_back(a);
+      if ((height_a <= 0) == (height_b <= 0)) continue;
+      part.push_back(a + height_a / (height_a - height_b) * (b - a));
+      lid.push_back(part.back());
+    }
+    if (part.size() > 2) kept.push_back(part);
+  }
+  if (lid.size() < 3) return kept;
+  const Vec3 middle = std::accumulate(lid.begin(), lid.end(), Vec3(Vec3::Zero())) / static_cast<double>(lid.size());
+  const Vec3 u = normal.unitOrthogonal(), v = normal.normalized().cross(u);
+  const auto turn = [&](const Vec3& x) { return std::atan2(v.dot(x - middle), u.dot(x - middle)); };
+  std::sort(lid.begin(), lid.end(), [&](const Vec3& a, const Vec3& b) { return turn(a) < turn(b); });
+  kept.push_back(lid);
+  return kept;
+}
+
+double volume_of(const std::vector<Face>& faces) {
+  double volume = 0;
+  for (const Face& face : faces) {
+    for (std::size_t i = 2; i < face.size(); ++i) volume += face[0].dot(face[i - 1].cross(face[i])) / 6;
+  }
+  return volume;
+}
+
+std::vector<Face> voxel_faces(const Vec3& low) {
+  const Mesh box = meshes::box(low, low + Vec3::Ones());
+  std::vector<Face> faces;
+  for (const auto& [a, b, c] : box.triangles) faces.push_back({box.vertices[a], box.vertices[b], box.vertices[c]});
+  return faces;
+}
+
+TEST(ExactCoverage, OfATetrahedronIsWhatItsPlanesLeaveOfEveryVoxel) {
+  const Mesh tetrahedron{{{-1, -1, -1}, {1, 1, -1}, {1, -1, 1}, {-1, 1, 1}}, {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}};
+  for (const int seed : {1, 2, 3}) {
+    const GridSurface surface = on_grid(meshes::moved(tetrahedron, fixtures::random_rotation(seed)), 9);
+    ASSERT_GT(volume_of(surface), 0);
+    const std::vector<float> coverage = exact_coverage(surface);
+    for (int voxel = 0; voxel < 9 * 9 * 9; ++voxel) {
+      std::vector<Face> faces = voxel_faces(Vec3(voxel % 9, voxel / 9 % 9, voxel / 81));
+      for (const auto& [a, b, c] : surface.triangles) {
+        const Vec3 normal = (surface.vertices[b] - surface.vertices[a]).cross(surface.vertices[c] - surface.vertices[a]);
+        faces = clipped(faces, normal, normal.dot(surface.vertices[a]));
+      }
+      EXPECT_NEAR(coverage[voxel], volume_of(faces), 2e-6) << voxel;
     }
   }
 }

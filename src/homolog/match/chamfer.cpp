@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "homolog/base/parallel.h"
+
 namespace homolog {
 namespace {
 
@@ -44,15 +46,19 @@ InteriorSample sample_cell(const Interior& interior, const Voxel& begin, const V
 std::vector<InteriorSample> sample_interior(const Interior& interior, int cells) {
   const Voxel& size = interior.frame.size;
   const int stride = std::max(1, (*std::max_element(size.begin(), size.end()) + cells - 1) / cells);
+  const auto cells_along = [&](int axis) { return (size[axis] + stride - 1) / stride; };
+  std::vector<std::vector<InteriorSample>> layers(static_cast<std::size_t>(cells_along(2)));
+  parallel_for(layers.size(), [&](std::size_t k) {
+    const int z = static_cast<int>(k);
+    for_each_voxel({0, 0, z}, {cells_along(0), cells_along(1), z + 1}, [&](int i, int j, int) {
+      const Voxel begin{i * stride, j * stride, z * stride};
+      const Voxel end{std::min(size[0], begin[0] + stride), std::min(size[1], begin[1] + stride), std::min(size[2], begin[2] + stride)};
+      const InteriorSample sample = sample_cell(interior, begin, end);
+      if (sample.weight > 0) layers[k].push_back(sample);
+    });
+  });
   std::vector<InteriorSample> samples;
-  for_each_voxel(
-      {0, 0, 0}, {(size[0] + stride - 1) / stride, (size[1] + stride - 1) / stride, (size[2] + stride - 1) / stride},
-      [&](int i, int j, int k) {
-        const Voxel begin{i * stride, j * stride, k * stride};
-        const Voxel end{std::min(size[0], begin[0] + stride), std::min(size[1], begin[1] + stride), std::min(size[2], begin[2] + stride)};
-        const InteriorSample sample = sample_cell(interior, begin, end);
-        if (sample.weight > 0) samples.push_back(sample);
-      });
+  for (const auto& layer : layers) samples.insert(samples.end(), layer.begin(), layer.end());
   return samples;
 }
 

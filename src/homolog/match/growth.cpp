@@ -68,12 +68,29 @@ struct Expectation {
   double variance = 1;  // of one coordinate, data units squared
 };
 
+// A candidate that may still join, with what its cost asks first: all of them are looked at for every pair that joins.
+struct FreeCandidate {
+  Vec3 place;     // of its data point
+  double unlike;  // what its descriptors cost
+  const Correspondence* pair;
+  int model, data;
+};
+
+// By model point, as the candidates are; without those that cost too much wherever they lie.
+std::vector<FreeCandidate> free_candidates(const CorrespondenceSet& candidates) {
+  std::vector<FreeCandidate> free;
+  for (const Correspondence& c : candidates) {
+    const double descriptor = c.descriptor_distance / descriptor_spread, unlike = 0.5 * descriptor * descriptor;
+    if (unlike < cost_limit) free.push_back({c.data_point.position, unlike, &c, c.model, c.data});
+  }
+  return free;
+}
+
 struct Grower {
-  const CorrespondenceSet& candidates;
   double bending_length;  // bending share times the model's diagonal
   Chirality chirality;
   std::vector<Vec3> places;
-  std::vector<char> model_used, data_used;
+  std::vector<FreeCandidate> free;
   CorrespondenceSet pairs = {};
   GrowingSpline spline = {places, chirality};
   Similarity free_part = {};
@@ -86,7 +103,7 @@ struct Grower {
 
   void join(const Correspondence& c) {
     pairs.push_back(c);
-    model_used[c.model] = data_used[c.data] = 1;
+    std::erase_if(free, [&](const FreeCandidate& other) { return other.model == c.model || other.data == c.data; });
     if (pairs.size() == few_pairs) {  // without the directions from here on
       spline = GrowingSpline(places, chirality);
       for (const Correspondence& pair : pairs) constrain(pair);
@@ -101,34 +118,33 @@ struct Grower {
     return {spline.at(position_of(c), free_part), s * s * bending_length * variance};
   }
 
-  // Negative log likelihood of c, up to a constant, in units where each part is about 1 when c is right. What is not below `limit` may be
-  // told too low: most are far beyond it by their place.
-  double cost(const Correspondence& c, const Expectation& expected, double limit) const {
-    const double place = (c.data_point.position - expected.place).squaredNorm() / (3 * expected.variance);
-    const double descriptor = c.descriptor_distance / descriptor_spread, unlike = 0.5 * descriptor * descriptor;
-    if (place + unlike >= limit) return limit;
+  // Negative log likelihood, up to a constant, in units where each part is about 1 when the pair is right. What is not below `limit` may
+  // be told too low: most are far beyond it by their place.
+  double cost(const FreeCandidate& candidate, const Expectation& expected, double limit) const {
+    const double place = (candidate.place - expected.place).squaredNorm() / (3 * expected.variance);
+    if (place + candidate.unlike >= limit) return limit;
+    const Correspondence& c = *candidate.pair;
     const double log_radius = std::log(c.data_point.radius / (free_part.scale * c.model_point.radius)) / radius_spread;
-    const double sum = place + log_radius * log_radius + unlike;
+    const double sum = place + log_radius * log_radius + candidate.unlike;
     if (sum >= limit || !has_directions(c)) return sum;
     const Vec3 direction = (spline.at(tip_of(c), free_part) - expected.place).normalized();
     const double angle = std::acos(std::clamp(direction.dot(c.data_point.direction), -1.0, 1.0)) / angle_spread;
     return sum + 0.5 * angle * angle;
   }
 
-  // The likeliest free candidate, or nullptr when all cost too much.
+  // The likeliest of the free candidates, or nullptr when all cost too much.
   const Correspondence* likeliest(double& cost_of_it) const {
     const Correspondence* best = nullptr;
     cost_of_it = cost_limit;
     int last_model = -1;
     Expectation expected;
-    for (const Correspondence& c : candidates) {
-      if (model_used[c.model] || data_used[c.data]) continue;
-      if (c.model != last_model) expected = expect(c);
-      last_model = c.model;
-      const double now = cost(c, expected, cost_of_it);
+    for (const FreeCandidate& candidate : free) {
+      if (candidate.model != last_model) expected = expect(*candidate.pair);
+      last_model = candidate.model;
+      const double now = cost(candidate, expected, cost_of_it);
       if (now < cost_of_it) {
         cost_of_it = now;
-        best = &c;
+        best = candidate.pair;
       }
     }
     return best;
@@ -137,15 +153,8 @@ struct Grower {
 
 }  // namespace
 
-GrownSet grow_seed(const Seed& seed, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model, const Shape& data,
-                   double bending) {
-  const std::size_t count = model.points.size();
-  Grower grower{candidates,
-                bending * model.diagonal,
-                chirality,
-                places_of(candidates, count),
-                std::vector<char>(count),
-                std::vector<char>(data.points.size())};
+GrownSet grow_seed(const Seed& seed, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model, double bending) {
+  Grower grower{bending * model.diagonal, chirality, places_of(candidates, model.points.size()), free_candidates(candidates)};
   for (const Correspondence& c : seed.pairs) grower.join(c);
   GrownSet grown;
   grown.chirality = chirality;

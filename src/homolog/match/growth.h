@@ -20,7 +20,7 @@ struct GrownSet {
   double score = 0;  ///< sum over pairs of 1 - cost / limit: count minus costs
 };
 
-GrownSet grow_seed(const Seed& seed, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model, const Shape& data,
-                   double bending);
+/// The set that grows from a seed by `candidates`, which stand by model point. `bending` in shares of the model's diagonal.
+GrownSet grow_seed(const Seed& seed, Chirality chirality, const CorrespondenceSet& candidates, const Shape& model, double bending);
 
 }  // namespace homolog

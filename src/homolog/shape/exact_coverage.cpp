@@ -175,7 +175,7 @@ class CoverageLayer {
       area += part;
       moment += part * (a.x() + b.x() + c.x());
     }
-    const double beyond = moment / 6 - area / 2 * x;
+    const double beyond = moment / 6 - area / 2 * x;  // integral of (x' - x) dy dz: what the piece bounds within its own voxel
     voxel[0] += area / 2 - beyond;
     voxel[1] += beyond;
   }

@@ -75,7 +75,7 @@ void InsideTree::look(std::size_t level, const Cube& cube, const Cube& voxel, st
   }
   Cube nearest;
   for (int a = 0; a < 3; ++a) nearest[a] = voxel[a] >= cube[a] * size + size / 2;
-  for (int n = 0; n < 8; ++n) {
+  for (int n = 0; n < 8; ++n) {  // from the child the voxel lies nearest to, which bounds the search, to the one across
     look(level - 1,
          {2 * cube[0] + (nearest[0] ^ (n & 1)), 2 * cube[1] + (nearest[1] ^ (n >> 1 & 1)), 2 * cube[2] + (nearest[2] ^ (n >> 2))}, voxel,
          least);

@@ -21,8 +21,8 @@ struct RowCuts {
 /// Cuts the triangle abc at four rows.
 [[gnu::always_inline]] inline RowCuts cut_rows(const Vec3& a, const Vec3& b, const Vec3& c, const RayAxes& axes, const FourDoubles& rows) {
   const Vec3* corners[4] = {&a, &b, &c, &a};
-  FourDoubles up_column{}, up_depth{}, down_column{},
-      down_depth{};  // where the edge that goes up, and the one that goes down, meet the row
+  FourDoubles up_column{}, up_depth{};      // where the edge that goes up meets the row
+  FourDoubles down_column{}, down_depth{};  // and the one that goes down
   for (int i = 0; i < 3; ++i) {
     const Vec3 &start = *corners[i], &end = *corners[i + 1];
     const FourMasks starts_above = start[axes.row] >= rows, ends_above = end[axes.row] >= rows;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "start_time.h"
+#include "process_time.h"
 
 #include <fmt/format.h>
 #include <spawn.h>
@@ -11,6 +11,7 @@
 #include <chrono>
 #include <cstdio>
 #include <limits>
+#include <tuple>
 
 #include "homolog/base/errors.h"
 
@@ -37,33 +38,37 @@ std::pair<std::FILE*, pid_t> start(std::vector<char*> words) {
   return {fdopen(ends[0], "r"), process};
 }
 
-StartTime measure_once(const std::vector<char*>& words) {
+ProcessTime measure_once(const std::vector<char*>& words) {
   const auto begin = std::chrono::steady_clock::now();
   const auto [output, process] = start(words);
   char line[256];
-  const bool answered = std::fgets(line, sizeof line, output) != nullptr;
-  StartTime time;
+  std::ignore = std::fgets(line, sizeof line, output);
+  ProcessTime time;
   time.first_line_ms = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - begin).count();
   while (std::fgets(line, sizeof line, output)) continue;
   std::fclose(output);
   rusage usage{};
-  wait4(process, nullptr, 0, &usage);
-  if (!answered) throw Error(fmt::format("{} prints nothing", words[0]));
+  int status = 0;
+  wait4(process, &status, 0, &usage);
+  if (status != 0) throw Error(fmt::format("{} does not end well (status {})", words[0], status));
   time.cpu_ms = milliseconds(usage.ru_utime) + milliseconds(usage.ru_stime);
+  time.peak_mib = static_cast<double>(usage.ru_maxrss) / 1024;
   return time;
 }
 
 }  // namespace
 
-StartTime measure_start(const std::vector<std::string>& command, int runs) {
+ProcessTime measure_process(const std::vector<std::string>& command, int runs) {
   std::vector<char*> words;
   for (const std::string& word : command) words.push_back(const_cast<char*>(word.c_str()));
   words.push_back(nullptr);
-  StartTime least{std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+  constexpr double most = std::numeric_limits<double>::infinity();
+  ProcessTime least{most, most, most};
   for (int run = 0; run < runs; ++run) {
-    const StartTime time = measure_once(words);
+    const ProcessTime time = measure_once(words);
     least.first_line_ms = std::min(least.first_line_ms, time.first_line_ms);
     least.cpu_ms = std::min(least.cpu_ms, time.cpu_ms);
+    least.peak_mib = std::min(least.peak_mib, time.peak_mib);
   }
   return least;
 }
