@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What every parameter of the default would cost if it were otherwise: a line for the default, then one for each parameter with a lower and
-# a higher value, on every fourth pair of a folder; some 25 minutes on two cores. Progress goes to stderr, rows to build/parameters.
+# a higher value, on every sixth pair of a folder; some 20 minutes on two cores. Progress goes to stderr, rows to build/parameters.
 #   bench/parameter_reasons.sh FOLDER      FOLDER: pairs.tsv, its shapes and truth (bench/README.md)
 set -euo pipefail
 cd "$(dirname "$0")/.."
@@ -9,7 +9,7 @@ folder=$(realpath -e "${1:?parameter_reasons: give the folder of pairs.tsv}") ro
 rm -rf "$rows/few"
 mkdir -p "$rows/few"
 ln -s "$folder"/*/ "$rows/few/"
-awk 'NR % 4 == 1' "$folder/pairs.tsv" >"$rows/few/pairs.tsv"
+awk 'NR % 6 == 1' "$folder/pairs.tsv" >"$rows/few/pairs.tsv"
 
 others=(
   resolution={160,320} sigma0={1.2,2.2} levels-per-octave={2,5} threshold={0.38,0.52} direction-radius={1.4,3} direction-min={0.05,0.25}
