@@ -39,7 +39,7 @@ void add_options(CLI::App& app, Options& options) {
 }
 
 void set_parameters(Options& options) {
-  if (options.preset == "paper") options.run.params = paper_preset();
+  if (!options.preset.empty()) options.run.params = preset(options.preset);
   for (const std::string& text : options.parameters) {
     const auto equals = text.find('=');
     if (equals == std::string::npos) throw ParamError(fmt::format("'--param {}': expected NAME=VALUE", text));

@@ -26,6 +26,7 @@ std::string generated(const CLI::App& program, const std::string& kind) {
 
 Verb add_generate(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("generate", "Print the manual page, or the completions of a shell.")->group("");
+  verb->footer("");
   const auto kind = std::make_shared<std::string>();
   verb->add_option("KIND", *kind, "man, bash, zsh or fish.")->type_name("")->required();
   return {verb, [kind, &program] {

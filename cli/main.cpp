@@ -140,6 +140,9 @@ int main(int argc, char** argv) {
   } catch (const std::bad_alloc&) {
     return report(kUnusableShape, kNoMemory);
   } catch (const std::exception& error) {
-    return report(kUnusableShape, fmt::format("something failed inside, which is a mistake of the program: {}", error.what()));
+    return report(
+        kUnusableShape,
+        fmt::format("something failed inside, which is a mistake of the program; please report it with the command and its files: {}",
+                    error.what()));
   }
 }

@@ -20,13 +20,6 @@ std::string folder_name(const std::string& text) { return text.empty() ? "the fo
 
 }  // namespace
 
-std::string range_text(const ParameterInfo& info) {
-  if (info.choices.empty()) return fmt::format("{} to {}", info.min, info.max);
-  std::string text = info.choices.front();
-  for (std::size_t i = 1; i < info.choices.size(); ++i) text += (i + 1 == info.choices.size() ? " or " : ", ") + info.choices[i];
-  return text;
-}
-
 void add_preset_option(CLI::App& verb, ParameterOptions& options) {
   verb.add_option("--preset", options.preset, "Start from these parameters: default, or paper for the paper's choices.")->type_name("NAME");
 }
@@ -75,10 +68,7 @@ void add_common_options(CLI::App& verb, CommonOptions& options) {
 }
 
 Params params_of(const ParameterOptions& options) {
-  if (options.preset != "default" && options.preset != "paper") {
-    throw UsageError(fmt::format("the preset '{}' is unknown; there are default and paper", options.preset));
-  }
-  Params params = options.preset == "paper" ? paper_preset() : Params{};
+  Params params = preset(options.preset);
   for (const auto& [name, value] : options.given) set_parameter(params, name, value);
   return params;
 }

@@ -46,7 +46,4 @@ int parse_threads(const std::string& text);
 /// Which voxels of a label volume, as `name`.
 void add_label_option(CLI::App& verb, const char* name, Label& label);
 
-/// The range of a parameter in words: "32 to 1024", "allow, forbid or only".
-std::string range_text(const ParameterInfo& info);
-
 }  // namespace homolog::cli

@@ -40,14 +40,15 @@ std::vector<std::filesystem::path> stored_files(const StoredMatchOptions& option
 std::optional<StoredFamily> read_matches(const StoredMatchOptions& options) {
   StoredFamily family = read_family(options.file);
   if (!family.matches.empty()) return family;
-  print_message(fmt::format("nothing found: {} holds no match", options.file));
+  print_message(fmt::format("nothing found: {} holds no match; match the shapes again, with a higher --resolution, say", options.file));
   return {};
 }
 
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options) {
   const auto count = static_cast<int>(family.matches.size());
   if (options.number > count) {
-    throw UsageError(fmt::format("--match is {}, but {} holds {} match{}", options.number, options.file, count, count == 1 ? "" : "es"));
+    throw UsageError(fmt::format("--match is {}, but {} holds {} match{}; choose 1{}", options.number, options.file, count,
+                                 count == 1 ? "" : "es", count == 1 ? "" : fmt::format(" to {}", count)));
   }
   return family.matches[static_cast<std::size_t>(options.number - 1)];
 }

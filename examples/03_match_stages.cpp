@@ -45,7 +45,7 @@ int main(int argc, char** argv) {
 
   // --8<-- [start:growth]
   std::vector<GrownSet> grown;
-  for (const Seed& seed : seeds) grown.push_back(grow_seed(seed, Chirality::proper, candidates, model, data, params.match.bending));
+  for (const Seed& seed : seeds) grown.push_back(grow_seed(seed, Chirality::proper, candidates, model, params.match.bending));
   grown = distinct_sets(std::move(grown), 10, model);
   // --8<-- [end:growth]
   print("grown", grown.front().pairs);

@@ -47,10 +47,8 @@ int threads_of(const std::string& text) {
 }
 
 Params params_of(const Given& given) {
-  const auto preset = given.find("preset");
-  const std::string base = preset == given.end() ? "default" : preset->second;
-  if (base != "default" && base != "paper") throw ParamError("the preset '" + base + "' is unknown; there are default and paper");
-  Params params = base == "paper" ? paper_preset() : Params{};
+  const auto named = given.find("preset");
+  Params params = named == given.end() ? Params{} : preset(named->second);
   for (const auto& [name, value] : given) {
     if (name == "threads") params.threads = threads_of(value);
     if (name != "preset" && name != "threads") set_parameter(params, name, value);

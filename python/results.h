@@ -12,7 +12,7 @@ namespace homolog::python {
 
 nanobind::dict points_fields(const std::vector<SalientPoint>& points);
 
-/// The matches, best first, and the counts of the stages.
+/// The matches, best first, the counts of the stages, the followed points, and the sentence of doubt.
 nanobind::tuple family_fields(const Family& family, const std::vector<MatchParts>& parts, const std::vector<MatchMap>& maps);
 
 /// What each match of a shape with itself says.

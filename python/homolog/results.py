@@ -83,7 +83,7 @@ class Match:
     scale: float  #: of that similarity
     handedness: str  #: "proper", "mirrored" or "ambiguous"
     confidence: float  #: that the match is right, 0 to 1
-    bending: float  #: of the map, without unit
+    bending: float  #: of the spline through the pairs, without unit
     chamfer: float  #: mean distance of the mapped covered part to the data, in data diagonals
     model_coverage: float  #: share of the model's surface that the match explains, 0 to 1
     data_coverage: float  #: the same of the data's
@@ -185,8 +185,8 @@ class Family(Sequence[Match]):
     ) -> int:
         """What is painted on a copy of the model, carried to the data and written as a file; returns how many vertices have it.
 
-        `source` and `out` are .ply (colours, values, labels), .obj (UVs, materials, pictures), .glb or .gltf (these, colours, skins, shape
-        keys). `onto`: the mesh that receives it, in the data's coordinates, in any form that `describe` takes; else the data. `to_model`:
+        `source` and `out` are .ply (colours, values, labels, UVs with their pictures), .obj (UVs, materials, pictures), .glb or .gltf (all
+        of these, skins, shape keys, animations). `onto`: the mesh that receives it, in the data's coordinates, in any form that `describe` takes; else the data. `to_model`:
         from a copy of the data to the model. `labels`: fields that hold labels although their type is not whole. `fill`: leave no holes,
         what has no place gets what is nearest to where the match lays it. What `out` cannot hold is told by a UserWarning. Throws OSError
         for files that cannot be read or written, for an `out` that would replace what was read, and for a `source` or `onto` that lies elsewhere than the shape that was matched.
@@ -198,8 +198,9 @@ class Family(Sequence[Match]):
             receiver.require_mesh()
         vertices, faces = (receiver.vertices, receiver.faces) if onto is None else surface_of(onto)[:2]
         giver = self.data if to_model else self.model
-        names = [giver.name or "the giver", receiver.name or "the receiver", "onto"]
         read = [Path(os.fsdecode(onto))] if isinstance(onto, (str, bytes, os.PathLike)) else []
+        onto_name = str(read[0]) if read else "onto" if onto is not None else receiver.name or "the receiver"
+        names = [giver.name or "the giver", receiver.name or "the receiver", onto_name]
         placed, losses = self[rank]._map.transfer(Path(source), Path(out), vertices, faces, not to_model, list(labels), fill, names, read)
         for loss in losses:
             warnings.warn(loss, UserWarning, stacklevel=2)

@@ -92,8 +92,14 @@ Family match_by_quadruples(const Shape& model, const Shape& data, const Params& 
   return family;
 }
 
+void check_alike(const Shape& model, const Shape& data) {
+  if (model.descriptors.empty() || data.descriptors.empty() || model.descriptors[0].size() == data.descriptors[0].size()) return;
+  throw ParamError("the shapes were described with descriptors of different lengths; describe both with the same parameters");
+}
+
 Family match_described(const Shape& model, const Shape& data, const Params& params, bool without_identity, Stopwatch* watch) {
   check(params);
+  check_alike(model, data);
   const ThreadLimit limit(params.threads);
   const bool by_pairs = params.match.seeds == Seeds::pairs;
   Family family = (by_pairs ? match_by_pairs : match_by_quadruples)(model, data, params, without_identity, watch);

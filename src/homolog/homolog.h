@@ -21,10 +21,12 @@ namespace homolog {
 /// or not finite, ParamError for values out of range.
 Shape describe_shape(const Mesh& mesh, const Params& params = {}, const std::optional<Box>& part = {}, Stopwatch* watch = nullptr);
 
-/// Every place where the model, or a part of it, occurs in the data (Sec. 6), best first.
+/// Every place where the model, or a part of it, occurs in the data (Sec. 6), best first, in the coordinates of the meshes. Empty when
+/// nothing is found; `counts` tells after which stage. The same bytes for any number of threads. Both must have been described with these
+/// parameters. Throws ParamError for values out of range, and for descriptors of different lengths.
 Family match_shapes(const Shape& model, const Shape& data, const Params& params = {}, Stopwatch* watch = nullptr);
 
-/// A shape against itself: its symmetries and repeated parts, the identity left out.
+/// A shape against itself: its symmetries and repeated parts, the identity left out. Throws ParamError for values out of range.
 Family find_symmetries(const Shape& shape, const Params& params = {}, Stopwatch* watch = nullptr);
 
 }  // namespace homolog

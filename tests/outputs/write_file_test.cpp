@@ -49,6 +49,17 @@ TEST_F(WriteFile, WritesBytesAsTheyAreAndReplacesWhatWasThere) {
   EXPECT_THAT(names(), UnorderedElementsAre("a.txt"));
 }
 
+TEST_F(WriteFile, FollowsALinkWhichStaysOne) {
+  write_file(folder / "file", "before");
+  fs::create_symlink("file", folder / "link");
+  write_file(folder / "link", "after");
+  EXPECT_TRUE(fs::is_symlink(folder / "link"));
+  EXPECT_EQ(read("file"), "after");
+  fs::create_symlink("nowhere", folder / "loose");
+  write_file(folder / "loose", "here");
+  EXPECT_EQ(read("loose"), "here");
+}
+
 TEST_F(WriteFile, WritesSeveral) {
   write_files({{folder / "a", "1"}, {folder / "b", ""}});
   EXPECT_EQ(read("a"), "1");

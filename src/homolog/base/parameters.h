@@ -72,12 +72,15 @@ struct Params {
 /// The paper's choices, with its equations corrected (docs/paper_map.md).
 Params paper_preset();
 
+/// By name: default or paper. Throws ParamError.
+Params preset(const std::string& name);
+
 /// One row of the parameter table.
 struct ParameterInfo {
   std::string name, symbol, unit, sentence;
-  double min, max;                   ///< range of a number
-  std::vector<std::string> choices;  ///< the words of a choice; empty for numbers
-  bool integer;
+  double min, max;                        ///< range of a number
+  std::vector<std::string> choices = {};  ///< the words of a choice; empty for numbers
+  bool integer = false;
 };
 
 using ParameterValue = std::variant<long, double, std::string>;
@@ -87,6 +90,9 @@ const std::vector<ParameterInfo>& parameter_table();
 
 /// The value of a parameter by its name. Throws ParamError for an unknown name.
 ParameterValue get_parameter(const Params& params, const std::string& name);
+
+/// The range of a parameter in words: "32 to 1024", "allow, forbid or only".
+std::string range_text(const ParameterInfo& info);
 
 /// Sets a parameter from text. Throws ParamError for an unknown name, a malformed value or one out of range.
 void set_parameter(Params& params, const std::string& name, const std::string& value);

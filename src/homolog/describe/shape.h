@@ -22,7 +22,7 @@ struct Shape {
   double guessed = 0;                  ///< share of the volume that the voxeliser had to guess (open meshes), 0 to 1
   double open = 0;                     ///< share of the triangles' sides without a neighbour, 0 to 1
   std::size_t components = 1;          ///< pieces of the mesh's surface
-  std::vector<SalientPoint> points;    ///< X, strongest radius first
+  std::vector<SalientPoint> points;    ///< X, largest radius first
   Descriptors descriptors;             ///< mu, parallel to points
   std::vector<SurfaceSample> surface;  ///< even samples in farthest-point order
   SampleBlocks surface_blocks;         ///< of these samples

@@ -18,12 +18,10 @@ constexpr long budget_per_quadruple = 200'000;
 constexpr long budget_for_all = 20'000'000;
 constexpr std::size_t sets_per_quadruple = 3;  // the largest cliques; smaller ones seldom survive eq. 9
 
-bool directed(const Correspondence& c) { return c.model_point.direction_length > 0 && c.data_point.direction_length > 0; }
-
-// x and y = x + r p (Sec. 6.1), divided by `unit`.
+// x and its tip, divided by `unit`.
 std::vector<Vec3> constraint_points(const SalientPoint& point, bool with_direction, double unit) {
   std::vector<Vec3> points{point.position / unit};
-  if (with_direction) points.push_back((point.position + point.radius * point.direction) / unit);
+  if (with_direction) points.push_back(tip(point) / unit);
   return points;
 }
 
@@ -36,8 +34,8 @@ template <class Pairs>
 Constraints constraints(const Pairs& pairs, double source_unit, double target_unit) {
   Constraints all;
   for (const Correspondence& c : pairs) {
-    for (const Vec3& x : constraint_points(c.model_point, directed(c), source_unit)) all.sources.push_back(x);
-    for (const Vec3& x : constraint_points(c.data_point, directed(c), target_unit)) all.targets.push_back(x);
+    for (const Vec3& x : constraint_points(c.model_point, has_directions(c), source_unit)) all.sources.push_back(x);
+    for (const Vec3& x : constraint_points(c.data_point, has_directions(c), target_unit)) all.targets.push_back(x);
   }
   return all;
 }
@@ -71,7 +69,7 @@ struct Candidates {
 Candidates prepare(const std::vector<Correspondence>& candidates, double model_diagonal) {
   Candidates prepared;
   for (const Correspondence& c : candidates) {
-    const auto sources = constraint_points(c.model_point, directed(c), model_diagonal);
+    const auto sources = constraint_points(c.model_point, has_directions(c), model_diagonal);
     auto& all = prepared.constraints;
     auto same =
         std::find_if(all.begin(), all.end(), [&](const auto& m) { return m.model == c.model && m.sources.size() == sources.size(); });
@@ -89,8 +87,6 @@ struct Compatible {
   SmallRows residual;
   double energy;
 };
-
-bool share_a_point(const Correspondence& p, const Correspondence& q) { return p.model == q.model || p.data == q.data; }
 
 std::vector<Compatible> compatible_candidates(const EnergyIncrement& spline, const std::vector<EnergyIncrement::Block>& blocks,
                                               const Quadruple& Q, const Candidates& candidates, double unit, double limit) {
@@ -146,7 +142,7 @@ std::vector<CorrespondenceSet> grow(const Quadruple& Q, const Candidates& candid
   const double unit = data_unit(Q.pairs, model_diagonal);
   const Constraints points = constraints(Q.pairs, model_diagonal, unit);
   const EnergyIncrement spline(points.sources, points.targets);
-  if (!(spline.energy() < limit)) return {};
+  if (!(spline.energy() < limit)) return {};  // eq. 8
   std::vector<EnergyIncrement::Block> blocks;
   for (const ModelConstraint& m : candidates.constraints) blocks.push_back(spline.block(m.sources));
   const auto vertices = compatible_candidates(spline, blocks, Q, candidates, unit, limit);                       // step 1

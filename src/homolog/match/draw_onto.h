@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+// A laid model drawn onto the data near it.
 #pragma once
 
 #include "homolog/describe/shape.h"
@@ -7,6 +8,10 @@
 #include "homolog/match/match.h"
 
 namespace homolog {
+
+/// How a cloth is first laid from the places of its start, and how it is laid in the end, in matched extents.
+constexpr ClothSchedule first_draw(int steps) { return {steps, 0.06, 0.015, 2, 0.2}; }
+constexpr ClothSchedule last_draw(int steps) { return {steps, 0.03, 0.008, 0.7, 0.1}; }
 
 /// The model points of pairs at their data points.
 std::vector<Anchor> anchors_of(const CorrespondenceSet& pairs, const Body& model);

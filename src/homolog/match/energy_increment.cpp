@@ -47,7 +47,7 @@ EnergyIncrement::EnergyIncrement(std::vector<Vec3> sources, const std::vector<Ve
   if (!lu.isInvertible()) return;
   inverse_ = lu.inverse();
   solution_ = inverse_ * right;
-  energy_ = std::max(0.0, (solution_.transpose() * right).trace());  // trace[W'V] = trace[W'KW], since P'W = 0
+  energy_ = std::max(0.0, (solution_.transpose() * right).trace());  // Delta of eq. 8: trace[W'V] = trace[W'KW], since P'W = 0
 }
 
 EnergyIncrement::Block EnergyIncrement::block(const std::vector<Vec3>& sources) const {

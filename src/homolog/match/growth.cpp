@@ -17,10 +17,6 @@ constexpr double radius_spread = 0.2;   // of log r
 constexpr double angle_spread = 0.6;    // radians
 constexpr std::size_t few_pairs = 6;    // directions help to lay the spline only while it has so few
 
-bool has_directions(const Correspondence& c) { return c.model_point.direction_length > 0 && c.data_point.direction_length > 0; }
-
-Vec3 tip(const SalientPoint& point) { return point.position + point.radius * point.direction; }  // y = x + r p (Sec. 6.1)
-
 // Numbers in places_of().
 Eigen::Index position_of(const Correspondence& c) { return Eigen::Index{2} * c.model; }
 Eigen::Index tip_of(const Correspondence& c) { return position_of(c) + 1; }

@@ -17,7 +17,7 @@ struct GrownSet {
   CorrespondenceSet pairs;
   Chirality chirality = Chirality::proper;
   ThinPlateSpline spline;
-  double score = 0;  ///< sum over pairs of 1 - cost / limit: count minus costs
+  double score = 0;  ///< 1 - cost / limit summed over the pairs that joined, 1/2 for each of the seed
 };
 
 /// The set that grows from a seed by `candidates`, which stand by model point. `bending` in shares of the model's diagonal.

@@ -21,6 +21,10 @@ struct Correspondence {
 };
 using CorrespondenceSet = std::vector<Correspondence>;
 
+/// Whether both points have a direction p, so that these can be compared.
+inline bool has_directions(const Correspondence& c) { return c.model_point.direction_length > 0 && c.data_point.direction_length > 0; }
+inline bool share_a_point(const Correspondence& p, const Correspondence& q) { return p.model == q.model || p.data == q.data; }
+
 std::vector<Vec3> model_positions(const CorrespondenceSet& set);
 std::vector<Vec3> data_positions(const CorrespondenceSet& set);
 

@@ -14,8 +14,6 @@ namespace {
 
 constexpr long search_budget = 20'000'000;  // about 0.1 s; 400 candidates under pose need 1e5 to 1e6
 
-bool share_a_point(const Correspondence& p, const Correspondence& q) { return p.model == q.model || p.data == q.data; }
-
 std::vector<const Correspondence*> by_descriptor(const std::vector<Correspondence>& candidates) {
   std::vector<const Correspondence*> sorted;
   for (const Correspondence& c : candidates) sorted.push_back(&c);
@@ -62,7 +60,7 @@ std::optional<Eigen::Matrix<double, 3, 4>> affine_map(const std::array<Correspon
   const double longest = model.colwise().norm().maxCoeff();
   if (std::abs(model.determinant()) <= 1e-9 * longest * longest * longest) return {};
   Eigen::Matrix<double, 3, 4> map;
-  map.leftCols<3>() = data * model.inverse();
+  map.leftCols<3>() = data * model.inverse();  // App. A, A_Q
   map.col(3) = Q[0].data_point.position - map.leftCols<3>() * Q[0].model_point.position;
   return map;
 }
@@ -70,9 +68,8 @@ std::optional<Eigen::Matrix<double, 3, 4>> affine_map(const std::array<Correspon
 double direction_mismatch(const std::array<Correspondence, 4>& Q, const Mat3& A, double unknown) {
   double worst = 0;
   for (const Correspondence& c : Q) {
-    const bool known = c.model_point.direction_length > 0 && c.data_point.direction_length > 0;
     const Vec3 mapped = A * c.model_point.direction, p = c.data_point.direction;
-    worst = std::max(worst, known ? std::atan2(mapped.cross(p).norm(), mapped.dot(p)) : unknown);
+    worst = std::max(worst, has_directions(c) ? std::atan2(mapped.cross(p).norm(), mapped.dot(p)) : unknown);  // App. A, d_a
   }
   return worst;
 }

@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <numeric>
 
-#include "homolog/match/best_similarity.h"
 #include "homolog/match/draw_onto.h"
 #include "homolog/match/evidence.h"
 #include "homolog/match/followed_points.h"
 #include "homolog/match/guided_pairs.h"
 #include "homolog/match/laid_limbs.h"
 #include "homolog/match/limbs.h"
+#include "homolog/match/rigid_draw.h"
 #include "homolog/match/trusted_pairs.h"
 #include "homolog/match/turned_limbs.h"
 #include "homolog/match/way_back.h"
@@ -18,10 +18,9 @@
 namespace homolog {
 namespace {
 
-constexpr ClothSchedule first_draw{first_steps, 0.06, 0.015, 2, 0.2};
+constexpr int last_steps = 14;
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule limb_draw{10, 0.08, 0.02, 0.7, 0.2};
-constexpr ClothSchedule last_draw{14, 0.03, 0.008, 0.7, 0.1};
 constexpr ClothSchedule unstretched_draw{14, 0.03, 0.03, 2.8, 2.8, 0};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
@@ -32,14 +31,6 @@ constexpr double told_place = 0.05;                                  // extents:
 ThinPlateSpline spline_through(const Cloth& cloth, const Body& body) {
   const std::vector<double> nugget(body.nodes.size(), 0.02 * body.spacing);
   return ThinPlateSpline::similarity_free(SourceSystem(body.nodes, nugget), cloth.nodes, cloth.chirality);
-}
-
-// The similarity nearest to the map, over the skin. The spline's own is what is left when its bending is least: of another size if it
-// bends.
-Similarity similarity_of(const Cloth& cloth, const Body& body) {
-  std::vector<WeighedPair> pairs;
-  for (std::size_t i = 0; i < body.surface_count; ++i) pairs.push_back({body.nodes[i], cloth.nodes[i], 1});
-  return best_similarity(pairs, cloth.chirality);
 }
 
 // Delta of the spline through the pairs alone, free of unit: what the paper calls bending (eq. 8).
@@ -58,7 +49,7 @@ void weigh_again(Refined& refined, const Shape& model, const Shape& data, Descri
 // The last draw, with the pairs that the cloth explains.
 void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   refined.pairs = guided_pairs(refined.cloth, model, data, kind, {});
-  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), last_draw, last_data_samples);
+  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), last_draw(last_steps), last_data_samples);
   weigh_again(refined, model, data, kind);
 }
 
@@ -66,6 +57,14 @@ void settle(Refined& refined, const Shape& model, const Shape& data, DescriptorK
 double fit_of(const Refined& refined, const Shape& model, const Shape& data) {
   const Evidence& evidence = refined.evidence;
   return evidence.model_reached + data_reached(refined.cloth, model, data) - evidence.thickness_changed - evidence.ends_missed;
+}
+
+// A part of a body as it is does not bend: laid by one similarity it may lie better.
+void try_rigid(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
+  Refined rigid = refined;
+  rigid.cloth = rigidly_drawn(refined.cloth, model, data);
+  weigh_again(rigid, model, data, kind);
+  if (merit_of(rigid.evidence) > merit_of(refined.evidence)) refined = std::move(rigid);
 }
 
 // Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.
@@ -112,7 +111,7 @@ void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, Des
   Refined lengthened = refined;
   const std::vector<Anchor> tips = lay_limbs_of_other_length(lengthened.cloth, model, data);
   if (tips.empty()) return;
-  draw_onto(lengthened.cloth, model, data, tips, last_draw, last_data_samples);
+  draw_onto(lengthened.cloth, model, data, tips, last_draw(last_steps), last_data_samples);
   weigh_again(lengthened, model, data, kind);
   if (merit_of(lengthened.evidence) >= merit_of(refined.evidence) - worth_lengthening) refined = std::move(lengthened);
 }
@@ -122,7 +121,7 @@ void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, Des
 Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
 
 void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end) {
-  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), steps_of(first_draw, begin, end), data_samples);
+  draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), steps_of(first_draw(first_steps), begin, end), data_samples);
   weigh_again(refined, model, data, kind);
 }
 
@@ -132,6 +131,7 @@ void guide_pairs(Refined& refined, const Shape& model, const Shape& data, Descri
     draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), next_draw, data_samples);
   }
   settle_with_limbs(refined, model, data, kind);
+  try_rigid(refined, model, data, kind);
   pair_up(refined, model, data, kind);
 }
 
@@ -139,6 +139,7 @@ void finish(Refined& refined, const Shape& model, const Shape& data, DescriptorK
   Refined laid = refined;
   release_stretch(laid, model, data, kind);
   lengthen_limbs(laid, model, data, kind);
+  try_rigid(laid, model, data, kind);
   refined.cloth = std::move(laid.cloth);
   pair_up(refined, model, data, kind);
 }

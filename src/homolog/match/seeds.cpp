@@ -87,8 +87,7 @@ Eigen::MatrixXf costs_of(const CorrespondenceSet& candidates, const Shape& model
   const PointPairs here = pairs_of(model.points, model.inner_distance), there = pairs_of(data.points, data.inner_distance);
   std::vector<Half> halves;
   for (const Correspondence& c : candidates) {
-    halves.push_back({c.model, c.data, std::log(c.data_point.radius / c.model_point.radius), c.descriptor_distance,
-                      c.model_point.direction_length > 0 && c.data_point.direction_length > 0});
+    halves.push_back({c.model, c.data, std::log(c.data_point.radius / c.model_point.radius), c.descriptor_distance, has_directions(c)});
   }
   Eigen::MatrixXf costs(halves.size(), halves.size());
   parallel_for(halves.size(), [&](std::size_t b) {

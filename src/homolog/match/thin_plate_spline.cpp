@@ -65,7 +65,7 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   const Eigen::Index n = sources.size();
   ThinPlateSpline spline;
   spline.kernel = Kernel::r3;
-  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n + 4, n + 4);
+  Eigen::MatrixXd L = Eigen::MatrixXd::Zero(n + 4, n + 4);  // Sec. 6.1: [K P; P' 0]
   L.topLeftCorner(n, n) = kernel_matrix(sources, Kernel::r3);
   L.col(n).head(n).setOnes();
   const Centred X = centred(sources), Y = centred(targets);
@@ -83,7 +83,7 @@ ThinPlateSpline ThinPlateSpline::affine_free(const std::vector<Vec3>& sources, c
   store_weights(spline, sources, W);
   spline.affine.leftCols<3>() = solution.bottomRows<3>().transpose();
   spline.affine.col(3) = solution.row(n).transpose() + Y.mean - spline.affine.leftCols<3>() * X.mean;
-  spline.energy = std::max(0.0, (W.transpose() * L.topLeftCorner(n, n) * W).trace());
+  spline.energy = std::max(0.0, (W.transpose() * L.topLeftCorner(n, n) * W).trace());  // trace[W'KW], Delta of eq. 8
   return spline;
 }
 
@@ -132,7 +132,7 @@ ThinPlateSpline ThinPlateSpline::similarity_free(const SourceSystem& system, con
 }
 
 Vec3 ThinPlateSpline::operator()(const Vec3& x) const {
-  Vec3 y = affine.leftCols<3>() * x + affine.col(3);
+  Vec3 y = affine.leftCols<3>() * x + affine.col(3);  // Sec. 6.1: f(x)
   for (std::size_t k = 0; k < centres.size(); ++k) y += weights[k] * phi(kernel, (x - centres[k]).norm());
   return y;
 }

@@ -11,8 +11,7 @@
 namespace homolog {
 namespace {
 
-constexpr ClothSchedule first_draw{8, 0.06, 0.015, 2, 0.2};
-constexpr ClothSchedule last_draw{8, 0.03, 0.008, 0.7, 0.1};
+constexpr int steps = 8;                    // of either draw
 constexpr std::size_t model_samples = 400;  // near the mapped part
 constexpr double farthest = 1;              // extents; beyond, a map tells nothing
 constexpr std::size_t asked = 6;            // nodes
@@ -41,8 +40,8 @@ Cloth laid_back(const Cloth& cloth, const Shape& model, const Shape& data) {
   std::vector<WeighedPair> pairs;
   for (std::size_t i = 0; i < model.body.surface_count; ++i) pairs.push_back({cloth.nodes[i], model.body.nodes[i], 1});
   Cloth back = lay_cloth(data.body, std::move(places), best_similarity(pairs, cloth.chirality), cloth.chirality);
-  draw_onto(back, data, model, {}, first_draw, model_samples);
-  draw_onto(back, data, model, lay_limbs_of_other_length(back, data, model), last_draw, model_samples);
+  draw_onto(back, data, model, {}, first_draw(steps), model_samples);
+  draw_onto(back, data, model, lay_limbs_of_other_length(back, data, model), last_draw(steps), model_samples);
   return back;
 }
 

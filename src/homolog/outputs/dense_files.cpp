@@ -83,7 +83,8 @@ std::string dense_ply(const Mesh& mesh, const DenseMap& map, const std::vector<C
 }
 
 std::string dense_json(const StoredFamily& family, int match, const DenseMaps& maps) {
-  ordered_json json = {{"format", "homolog-dense"}, {"version", 1}, {"program", "homolog " HOMOLOG_VERSION}, {"match", match}};
+  ordered_json json = json_head("homolog-dense");
+  json["match"] = match;
   json["data_from_model"] = direction_json(family.model.file, family.data.file, maps.data_from_model);
   json["model_from_data"] = direction_json(family.data.file, family.model.file, maps.model_from_data);
   return json_text(json);

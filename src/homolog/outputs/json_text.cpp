@@ -41,6 +41,10 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
 
 }  // namespace
 
+ordered_json json_head(const char* format) {
+  return {{"format", format}, {"version", format_version}, {"program", "homolog " HOMOLOG_VERSION}};
+}
+
 std::string json_text(const ordered_json& value) { return json_piece(value, 0) + "\n"; }
 
 std::string json_piece(const ordered_json& value, std::size_t indent) {

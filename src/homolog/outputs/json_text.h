@@ -14,6 +14,12 @@
 
 namespace homolog {
 
+/// Of the files that begin with json_head().
+inline constexpr int format_version = 1;
+
+/// What such a file begins with: its format, the version of that, and the program.
+nlohmann::ordered_json json_head(const char* format);
+
 std::string json_text(const nlohmann::ordered_json& value);
 
 /// The same as a piece of a larger text, on a line that begins `indent` characters in; without a line's end.

@@ -29,7 +29,7 @@ std::vector<MarkupPoint> read_pts(const std::string& content, const std::string&
     fail(text, "the first line must be 'Version 1.0'; this is no .pts of Landmark");
   if (!next_line(text, line)) fail(text, "the number of points is missing; the file is truncated");
   const long long count = take_integer(text, line, "the number of points");
-  if (count < 0) fail(text, "the number of points is negative");
+  if (count < 0) fail(text, "the number of points is negative; export the file again");
   std::vector<MarkupPoint> points;
   while (next_line(text, line)) {
     if (is_blank(line)) continue;

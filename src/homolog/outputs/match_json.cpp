@@ -85,7 +85,9 @@ ordered_json to_json(const Match& match) {
 }
 
 ordered_json head(const char* format, const Params& params) {
-  return {{"format", format}, {"version", 1}, {"program", "homolog " HOMOLOG_VERSION}, {"parameters", to_json(params)}};
+  ordered_json json = json_head(format);
+  json["parameters"] = to_json(params);
+  return json;
 }
 
 }  // namespace

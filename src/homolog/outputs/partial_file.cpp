@@ -27,6 +27,13 @@ constexpr std::string_view prefix = ".homolog.", suffix = ".partial";
 
 std::string reason_of(int error) { return std::generic_category().message(error); }
 
+/// Where a link leads, so that it stays a link; a link that leads nowhere is replaced.
+fs::path followed(fs::path path) {
+  std::error_code not_there;
+  const fs::path target = fs::is_symlink(path, not_there) ? fs::canonical(path, not_there) : fs::path();
+  return target.empty() ? path : target;
+}
+
 /// Process and clock keep apart what is written into one folder at once.
 fs::path partial_name(const fs::path& path) {
   const auto stamp = std::chrono::steady_clock::now().time_since_epoch().count();
@@ -41,7 +48,7 @@ bool was_removed(int file) {
 
 }  // namespace
 
-PartialFile::PartialFile(fs::path path) : path_(std::move(path)) {
+PartialFile::PartialFile(fs::path path) : path_(followed(std::move(path))) {
   if (std::error_code ignored; fs::is_directory(path_, ignored)) fail(path_, "a folder has this name");
   while (file_ < 0) {
     partial_ = partial_name(path_);

@@ -44,7 +44,9 @@ ordered_json side_json(const MeshedShape& side) {
 }  // namespace
 
 void write_parts_json(const MeshedShape& model, const MeshedShape& data, const std::vector<MatchParts>& parts, const Sink& sink) {
-  sink("{\n \"format\": \"homolog-parts\",\n \"version\": 1,\n \"program\": \"homolog " HOMOLOG_VERSION "\",\n");
+  sink("{\n");
+  const nlohmann::ordered_json head = json_head("homolog-parts");
+  for (const auto& [key, value] : head.items()) sink(fmt::format(" \"{}\": {},\n", key, value.dump()));
   sink(" \"model\": " + json_piece(side_json(model), 1) + ",\n");
   sink(" \"data\": " + json_piece(side_json(data), 1) + ",\n \"matches\": [");
   for (std::size_t i = 0; i < parts.size(); ++i) {

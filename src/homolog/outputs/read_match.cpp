@@ -26,8 +26,8 @@ std::string shown(const ordered_json& value) { return homolog::shown(value.is_st
 void check_format(const ordered_json& json, const char* format, const std::string& file) {
   if (json.at("format") != format)
     fail(file, fmt::format("its format is {}, not \"{}\"; name the right file", shown(json["format"]), format));
-  if (json.at("version") != 1)
-    fail(file, fmt::format("its version is {}, but only 1 is known; use a newer homolog", shown(json["version"])));
+  if (json.at("version") != format_version)
+    fail(file, fmt::format("its version is {}, but only {} is known; use a newer homolog", shown(json["version"]), format_version));
 }
 
 Vec3 read_vector(const ordered_json& item, const std::string& file) {

@@ -78,7 +78,8 @@ std::string symmetries_json(const std::vector<Symmetry>& symmetries) {
 std::vector<Symmetry> read_symmetries(const std::string& text, const std::string& file, const std::vector<Match>& matches) {
   return read_json(text, file, "symmetries", [&](const ordered_json& json) {
     const ordered_json& list = json.at("symmetries");
-    if (list.size() != matches.size()) throw FileError(fmt::format("{}: it belongs to another match.json than the one beside it", file));
+    if (list.size() != matches.size())
+      throw FileError(fmt::format("{}: it belongs to another match.json than the one beside it; run 'homolog symmetry --out' again", file));
     std::vector<Symmetry> symmetries;
     for (std::size_t i = 0; i < matches.size(); ++i) {
       symmetries.push_back({std::nullopt, matches[i].similarity, list[i].at("error")});

@@ -37,7 +37,7 @@ Entry split_entry(Text& text, std::string_view line) {
 long long count_of(Text& text, const Entry& entry) {
   std::string_view value = entry.value;
   const long long count = take_integer(text, value, "the number of landmarks");
-  if (count < 0) fail(text, "the number of landmarks is negative");
+  if (count < 0) fail(text, "the number of landmarks is negative; export the file again");
   return count;
 }
 

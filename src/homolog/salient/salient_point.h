@@ -14,4 +14,7 @@ struct SalientPoint {
   double response = 0;             ///< |L_norm| as a share of a ball's: ball 1, cylinder .79, plate .52, plane .26
 };
 
+/// y = x + r p (Sec. 6.1).
+inline Vec3 tip(const SalientPoint& point) { return point.position + point.radius * point.direction; }
+
 }  // namespace homolog

@@ -23,9 +23,9 @@ constexpr double least_sheets = 64;     // are allowed on the finest grid
 
 void check_settings(int resolution, double thicken) {
   if (resolution < 1 || resolution > 2048) {
-    throw ParamError(fmt::format("parameter 'resolution' is {}, but must be from 1 to 2048", resolution));
+    throw ParamError(fmt::format("a grid of {} voxels cannot be made; choose 1 to 2048", resolution));
   }
-  if (!(thicken >= 0 && thicken <= 1)) throw ParamError(fmt::format("parameter 'thicken' is {}, but must be from 0 to 1", thicken));
+  if (!(thicken >= 0 && thicken <= 1)) throw ParamError(fmt::format("a thickness of {} diagonals cannot be given; choose 0 to 1", thicken));
 }
 
 void check_inside(const Voxels& voxels) {
