@@ -76,7 +76,7 @@ TEST(Parameters, WhatIsNoValueIsRefused) {
     for (const char* name : {"resolution", "bending", "mirror"}) EXPECT_THAT(refusal(name, text), HasSubstr(name)) << text;
   }
   EXPECT_THAT(refusal("resolution", "64.5"), HasSubstr("whole number"));
-  EXPECT_THAT(refusal("mirror", "0"), HasSubstr("allow, forbid, only"));  // choices go by their words alone
+  EXPECT_THAT(refusal("mirror", "0"), HasSubstr("allow, forbid or only"));  // choices go by their words alone
   EXPECT_THAT(refusal("resolutoin", "64"), HasSubstr("unknown parameter 'resolutoin'"));
   EXPECT_THROW(get_parameter({}, "resolutoin"), ParamError);
 }
