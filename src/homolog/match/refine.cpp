@@ -25,6 +25,7 @@ constexpr ClothSchedule unstretched_draw{14, 0.03, 0.03, 2.8, 2.8, 0};
 constexpr std::size_t data_samples = 400, last_data_samples = 1200;  // near the mapped part
 constexpr PairLimits wide{1.5, 0.55};                                // while the map is still rough
 constexpr double worth_lengthening = 0.06;                           // merit
+constexpr double reach_given_up = 0.10;                              // of the model's skin, for not bending
 constexpr double told_place = 0.05;                                  // extents: the least limit of pairs told in the end
 
 // The refined map as a spline through the cloth's nodes, so that any reader can apply it (Sec. 6.1).
@@ -59,12 +60,14 @@ double fit_of(const Refined& refined, const Shape& model, const Shape& data) {
   return evidence.model_reached + data_reached(refined.cloth, model, data) - evidence.thickness_changed - evidence.ends_missed;
 }
 
-// A part of a body as it is does not bend: laid by one similarity it may lie better.
+// A part of a body as it is does not bend: laid by one similarity it may lie better. What bends would gain in merit by not bending, too,
+// but it would lose reach.
 void try_rigid(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   Refined rigid = refined;
   rigid.cloth = rigidly_drawn(refined.cloth, model, data);
   weigh_again(rigid, model, data, kind);
-  if (merit_of(rigid.evidence) > merit_of(refined.evidence)) refined = std::move(rigid);
+  const bool reaches_as_far = rigid.evidence.model_reached >= refined.evidence.model_reached - reach_given_up;
+  if (reaches_as_far && merit_of(rigid.evidence) > merit_of(refined.evidence)) refined = std::move(rigid);
 }
 
 // Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.
