@@ -65,9 +65,9 @@ double fit_of(const Refined& refined, const Shape& model, const Shape& data) {
 void try_rigid(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
   Refined rigid = refined;
   rigid.cloth = rigidly_drawn(refined.cloth, model, data);
+  if (model_reached(rigid.cloth, model, data) < refined.evidence.model_reached - reach_given_up) return;
   weigh_again(rigid, model, data, kind);
-  const bool reaches_as_far = rigid.evidence.model_reached >= refined.evidence.model_reached - reach_given_up;
-  if (reaches_as_far && merit_of(rigid.evidence) > merit_of(refined.evidence)) refined = std::move(rigid);
+  if (merit_of(rigid.evidence) > merit_of(refined.evidence)) refined = std::move(rigid);
 }
 
 // Of the cloth as it is, drawn along the limbs, and with turned limbs laid anew before, the one that fits best stays.

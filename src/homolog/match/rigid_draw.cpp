@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "homolog/match/best_similarity.h"
 #include "homolog/shape/nearest_points.h"
@@ -13,10 +14,10 @@
 namespace homolog {
 namespace {
 
-constexpr int rounds = 12;
-constexpr std::size_t least_partners = 12;  // some more than a similarity has unknowns
-constexpr double most_distance = 2.5;       // medians: farther samples have no partner
-constexpr double least_agreement = 0.5;     // of normals
+constexpr std::size_t samples_of_a_round[] = {400, 400, 400, 400, 400, 400, 800, 1600, 1600};  // a prefix of the model's is even
+constexpr std::size_t least_partners = 12;                                               // some more than a similarity has unknowns
+constexpr double most_distance = 2.5;                                                    // medians: farther samples have no partner
+constexpr double least_agreement = 0.5;                                                  // of normals
 
 // A laid model sample, and the tangent plane of the data sample nearest to it.
 struct Partner {
@@ -25,7 +26,7 @@ struct Partner {
 };
 
 // Without those whose normals disagree, and those much farther than most.
-std::vector<Partner> partners(const std::vector<SurfaceSample>& model, const Similarity& laid, const std::vector<SurfaceSample>& data,
+std::vector<Partner> partners(std::span<const SurfaceSample> model, const Similarity& laid, const std::vector<SurfaceSample>& data,
                               const NearestPoints& near) {
   std::vector<Partner> found;
   std::vector<double> distances;
@@ -78,8 +79,9 @@ Cloth rigidly_drawn(const Cloth& cloth, const Shape& model, const Shape& data) {
   Similarity laid = similarity_of(cloth, model.body);
   if (data.surface.empty()) return cloth;
   const NearestPoints near(positions_of(data.surface));
-  for (int round = 0; round < rounds; ++round) {
-    const std::vector<Partner> found = partners(model.surface, laid, data.surface, near);
+  for (const std::size_t most : samples_of_a_round) {
+    const std::vector<Partner> found =
+        partners(std::span(model.surface).first(std::min(most, model.surface.size())), laid, data.surface, near);
     if (found.size() < least_partners) break;
     const Similarity step = step_to_planes(found);
     laid = {step.scale * laid.scale, step.rotation * laid.rotation, step(laid.shift)};
