@@ -15,9 +15,9 @@ namespace homolog {
 namespace {
 
 constexpr std::size_t samples_of_a_round[] = {400, 400, 400, 400, 400, 400, 800, 1600, 1600};  // a prefix of the model's is even
-constexpr std::size_t least_partners = 12;                                               // some more than a similarity has unknowns
-constexpr double most_distance = 2.5;                                                    // medians: farther samples have no partner
-constexpr double least_agreement = 0.5;                                                  // of normals
+constexpr std::size_t least_partners = 12;                                                     // some more than a similarity has unknowns
+constexpr double most_distance = 2.5;                                                          // medians: farther samples have no partner
+constexpr double least_agreement = 0.5;                                                        // of normals
 
 // A laid model sample, and the tangent plane of the data sample nearest to it.
 struct Partner {
