@@ -179,13 +179,16 @@ Family find_symmetries(const Shape& shape, const Params& params, Stopwatch* watc
   const std::vector<std::vector<int>> pieces = separate_surfaces(shape.surface, shape.body, repeated_pieces);
   if (pieces.empty()) return family;
   const ThreadLimit limit(params.threads);
-  std::erase_if(family.matches, [&](const Match& match) { return !is_one_movement(match, shape); });
+  std::erase_if(family.matches, [&](const Match& match) { return !moves_all(match, pieces, shape); });
+  const std::vector<Match> of_whole = family.matches;
   std::vector<char> repeats(shape.surface.size(), 0);  // samples that an earlier piece comes to lie on
   for (const std::vector<int>& samples : pieces) {
     if (2 * std::count_if(samples.begin(), samples.end(), [&](int i) { return repeats[i]; }) > std::ssize(samples)) continue;
     const Piece piece = piece_of(shape, samples);
     Family found = match_described(piece.shape, shape, params, true, nullptr);
+    believe_exact(found.matches, piece.shape, shape);
     for (const Match& match : found.matches) mark_reached(match, piece.shape, shape, repeats);
+    std::erase_if(found.matches, [&](const Match& match) { return is_known(match, piece.shape, of_whole); });
     add_matches(family, std::move(found), piece, shape);
     lap(watch, "a piece", samples.size(), "samples");
   }

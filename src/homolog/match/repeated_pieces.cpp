@@ -2,24 +2,98 @@
 #include "homolog/match/repeated_pieces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
+#include "homolog/base/parallel.h"
+#include "homolog/match/best_similarity.h"
 #include "homolog/match/contact.h"
 
 namespace homolog {
 namespace {
 
-constexpr double one_movement = 0.05;  // diagonals
-constexpr double same_place = 0.05;    // matched extents
+constexpr double same_place = 0.05;   // matched extents
+constexpr int settlings = 10;         // a match's own similarity is the mean of a map that bends
+constexpr double most_missed = 0.1;   // diagonals of the laid piece
+constexpr double exact_piece = 0.01;  // what voxels leave of the smallest copies
+constexpr double exact_whole = 0.03;  // copies that change places lie farther off, most of them a tenth
+
+std::vector<SurfaceSample> moved(const std::vector<SurfaceSample>& samples, const Similarity& movement) {
+  std::vector<SurfaceSample> laid;
+  for (const SurfaceSample& s : samples) laid.push_back({movement(s.position), movement.rotation * s.normal});
+  return laid;
+}
+
+/// How far a place lies from a skin along the normal there, nothing if the skin that is nearest within `reach` does not face its way.
+std::optional<Vec3> way_to(const SurfaceSample& sample, const Skin& skin, double reach) {
+  const NearestSample found = nearest_sample(skin.blocks, sample.position, reach + skin.spacing);
+  if (!reaches(sample, found, skin, reach)) return {};
+  const SurfaceSample& there = skin.samples[found.sample];
+  return there.normal.dot(there.position - sample.position) * there.normal;
+}
+
+Similarity settled(Similarity movement, const std::vector<SurfaceSample>& piece, const Skin& whole, double reach) {
+  const Chirality chirality = movement.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper;
+  for (int k = 0; k < settlings; ++k) {
+    const std::vector<SurfaceSample> laid = moved(piece, movement);
+    std::vector<WeighedPair> pairs(piece.size(), {Vec3::Zero(), Vec3::Zero(), 0});
+    parallel_for(pairs.size(), [&](std::size_t i) {
+      if (const auto way = way_to(laid[i], whole, reach)) pairs[i] = {piece[i].position, laid[i].position + *way, 1};
+    });
+    if (means_of(pairs).weight * 2 < static_cast<double>(pairs.size())) break;
+    movement = best_similarity(pairs, chirality);
+  }
+  return movement;
+}
+
+/// Mean square of how far those samples that lie about a skin miss it.
+double square_missed(const std::vector<SurfaceSample>& samples, const Skin& skin, double reach, bool all) {
+  std::vector<double> squares(samples.size(), -1);
+  parallel_for(squares.size(), [&](std::size_t i) {
+    const auto way = way_to(samples[i], skin, reach);
+    if (way || all || nearest_sample(skin.blocks, samples[i].position, reach).sample >= 0)
+      squares[i] = way ? way->squaredNorm() : reach * reach;
+  });
+  double sum = 0, count = 0;
+  for (const double square : squares) {
+    if (square >= 0) sum += square, ++count;
+  }
+  return count > 0 ? sum / count : reach * reach;
+}
 
 }  // namespace
 
-bool is_one_movement(const Match& match, const Shape& shape) {
-  if (match.model_coverage < 0.5) return false;
-  double sum = 0;
-  for (std::size_t i = 0; i < shape.body.surface_count; ++i) {
-    sum += (match.data_from_model(shape.body.nodes[i]) - match.similarity(shape.body.nodes[i])).norm();
+double repetition_error(const Similarity& start, const std::vector<SurfaceSample>& piece, double diagonal, const Shape& whole) {
+  const Skin skin{whole.surface, whole.surface_blocks, whole.surface_spacing};
+  const double extent = matched_extent(diagonal, start.scale, whole.diagonal), reach = most_missed * extent;
+  std::vector<SurfaceSample> samples = moved(piece, settled(start, piece, skin, reach));
+  const LaidSkin laid = laid_skin(samples, block_order(positions_of(samples)));
+  return std::sqrt((square_missed(samples, skin, reach, true) + square_missed(whole.surface, laid.view(), reach, false)) / 2) / extent;
+}
+
+bool moves_all(const Match& match, const std::vector<std::vector<int>>& surfaces, const Shape& whole) {
+  return std::all_of(surfaces.begin(), surfaces.end(), [&](const std::vector<int>& numbers) {
+    std::vector<SurfaceSample> piece;
+    for (const int i : numbers) piece.push_back(whole.surface[i]);
+    return repetition_error(match.similarity, piece, diagonal_of(piece), whole) < exact_whole;
+  });
+}
+
+void believe_exact(std::vector<Match>& matches, const Shape& piece, const Shape& whole) {
+  for (Match& match : matches) {
+    const double error = repetition_error(match.similarity, piece.surface, piece.diagonal, whole);
+    const double odds = std::pow(exact_piece / std::max(error, exact_piece), 2);
+    match.confidence *= odds / (match.confidence * odds + 1 - match.confidence);
   }
-  return sum < one_movement * shape.diagonal * static_cast<double>(shape.body.surface_count);
+}
+
+bool is_known(const Match& match, const Shape& piece, const std::vector<Match>& of_whole) {
+  return std::any_of(of_whole.begin(), of_whole.end(), [&](const Match& other) {
+    double sum = 0;
+    for (const SurfaceSample& s : piece.surface) sum += (match.similarity(s.position) - other.similarity(s.position)).norm();
+    return (match.similarity.rotation.determinant() < 0) == (other.similarity.rotation.determinant() < 0) &&
+           sum < same_place * piece.diagonal * match.similarity.scale * static_cast<double>(piece.surface.size());
+  });
 }
 
 void mark_reached(const Match& match, const Shape& piece, const Shape& whole, std::vector<char>& reached) {
