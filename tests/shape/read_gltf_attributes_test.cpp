@@ -118,6 +118,21 @@ TEST(ReadGltfAttributes, ReadsASecondSetOfWeights) {
   EXPECT_THAT(mesh.left_out, Not(testing::Contains(HasSubstr("weights"))));
 }
 
+TEST(ReadGltfAttributes, TellsOfSecondSetsAndVectorsOnce) {
+  File file;
+  ordered_json& attributes = file.primitive()["attributes"];
+  attributes["TEXCOORD_1"] = attributes["TEXCOORD_0"];
+  attributes["COLOR_1"] = attributes["COLOR_0"];
+  attributes["_WIND"] = attributes["POSITION"];
+  file.json["materials"].clear();
+  file.primitive().erase("material");
+  ordered_json& primitives = file.json["meshes"][0]["primitives"];
+  primitives.push_back(ordered_json(file.primitive()));
+  primitives[1]["attributes"]["TEXCOORD_0"] = attributes["TEXCOORD_0"];
+  EXPECT_THAT(read(file).left_out,
+              testing::ElementsAre("a second set of colours", "a second set of UVs", "the attribute _WIND, which has several numbers"));
+}
+
 /// With an animation that moves a node by these values at the times 0 and 2.
 void animate(File& file, int node, const char* path, const Floats& values, int columns, const Floats& times = {0, 2}) {
   const int input = add_bounded_table(file.content, times, 1, GltfTarget::none),

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <limits>
 
 #include "homolog/base/errors.h"
@@ -10,6 +11,7 @@
 #include "homolog/shape/read_gltf_animations.h"
 #include "homolog/shape/read_gltf_materials.h"
 #include "homolog/shape/srgb.h"
+#include "homolog/shape/text.h"
 
 namespace homolog {
 namespace {
@@ -26,7 +28,7 @@ struct Reader {
   std::size_t most_triangles;
   AttributedMesh mesh;
   TargetsOfNodes targets = {};
-  bool has_colours = false, has_weaker_weights = false, has_second_uvs = false;
+  bool has_colours = false, has_weaker_weights = false;
 };
 
 /// Vertices that primitives of a mesh share, because they name the same tables.
@@ -73,15 +75,25 @@ Named& of_name(std::vector<Named>& list, Named otherwise) {
   return list.emplace_back(std::move(otherwise));
 }
 
+/// Told once, however many meshes have it.
+void leave_out(AttributedMesh& mesh, std::string what) {
+  auto& left_out = mesh.left_out;
+  if (std::find(left_out.begin(), left_out.end(), what) == left_out.end()) left_out.push_back(std::move(what));
+}
+
 /// Attributes of the file's own, whose names begin with '_': those of one number are fields, labels if the numbers are whole by type.
 void append_fields(Reader& reader, const json& attributes, std::size_t first, std::size_t vertices) {
   AttributedMesh& mesh = reader.mesh;
   for (const auto& [name, value] : attributes.items()) {
-    reader.has_second_uvs |= name == "TEXCOORD_1";
+    if (name == "TEXCOORD_1") leave_out(mesh, "a second set of UVs");
+    if (name == "COLOR_1") leave_out(mesh, "a second set of colours");
     if (!name.starts_with('_')) continue;
     const std::size_t number = *number_at(reader.file, attributes, name.c_str());
     const json& accessor = entry(reader.file, "accessors", number);
-    if (!accessor.contains("type") || accessor["type"] != "SCALAR") continue;
+    if (!accessor.contains("type") || accessor["type"] != "SCALAR") {
+      leave_out(mesh, fmt::format("the attribute {}, which has several numbers", shown(name)));
+      continue;
+    }
     const bool is_whole = accessor.contains("componentType") && accessor["componentType"] != gltf_float;
     Field& field = of_name(mesh.fields, Field{name.substr(1), is_whole ? Field::Kind::label : Field::Kind::value, {}});
     if (mesh.fields.size() * (first + vertices) > most_values) {
@@ -200,7 +212,6 @@ void complete(Reader& reader) {
   if (!reader.has_colours) mesh.colours.clear();
   for (ShapeKey& key : mesh.shape_keys) key.displacements.resize(mesh.mesh.vertices.size(), Vec3::Zero());
   for (Field& field : mesh.fields) field.values.resize(mesh.mesh.vertices.size(), std::numeric_limits<double>::quiet_NaN());
-  if (reader.has_second_uvs) mesh.left_out.emplace_back("a second set of UVs");
   mesh.rig.joints = reader.rig.joints();
   if (mesh.rig.joints.empty()) mesh.rig.influences.clear();
   if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");
