@@ -103,7 +103,7 @@ std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::v
   std::vector<CarriedLandmark> landmarks;
   std::size_t next = 0;
   for (const MarkupPoint& point : points) {
-    landmarks.push_back({point.label, point.position ? std::optional(carried[next++]) : std::nullopt});
+    landmarks.push_back({point.label, point.position ? std::optional(carried[next++]) : std::nullopt, point.description, point.display});
   }
   return landmarks;
 }

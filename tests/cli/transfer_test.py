@@ -72,13 +72,17 @@ class Transfer(Program):
 
     def test_markups_keep_their_lists_types_and_units(self):
         with open(self.path("two.mrk.json"), "w") as file:
-            markup = lambda type, *places: {"type": type, "coordinateUnits": "um", "controlPoints": [{"position": p} for p in places]}
+            point = lambda place: {"position": place, "label": "ear", "description": "its tip", "locked": True, "visibility": False}
+            markup = lambda type, *places: {"type": type, "coordinateUnits": "um", "controlPoints": [point(p) for p in places]}
             json.dump({"markups": [markup("Curve", [-self.HEAD[0], *self.HEAD[1:]], self.NECK), markup("Fiducial", self.FOOT)]}, file)
         transfer = ("transfer", "out/match.json", "--points", "two.mrk.json", "--out")
         done = self.run_it(*transfer, "there.mrk.json")
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         lists = json.loads(self.read("there.mrk.json"))["markups"]
         self.assertEqual([(m["type"], m["coordinateUnits"], len(m["controlPoints"])) for m in lists], [("Curve", "um", 2), ("Fiducial", "um", 1)])
+        point = lists[0]["controlPoints"][0]
+        self.assertEqual([point[key] for key in ("label", "selected", "locked", "visibility")], ["ear", True, True, False])
+        self.assertRegex(point["description"], r"^its tip; expected error \S+, coverage \S+$")
         done = self.run_it(*transfer, "there.csv")
         self.assertIn("two.mrk.json: what it holds is written as plain points, one list after the other", done.stderr)
 

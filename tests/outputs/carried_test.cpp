@@ -50,6 +50,18 @@ TEST(CarriedPlaces, MarksMissingPointsAsUndefined) {
   EXPECT_EQ(points[4]["description"], "expected error 0.5");
 }
 
+TEST(CarriedPlaces, KeepWhatTheirFileSaysOfThem) {
+  const CarriedPoint point{{1, 2, 0.5}, true, 0.25, 0.75};
+  const auto described = [&](const std::string& before) { return carried_places({{"nose", point, before}})[0].description; };
+  EXPECT_EQ(described("the tip; of the left one"), "the tip; of the left one; expected error 0.25, coverage 0.750");
+  EXPECT_EQ(described("the tip; expected error 3, coverage 0.1"), "the tip; expected error 0.25, coverage 0.750") << "not twice";
+  EXPECT_EQ(described("outside the covered part"), "expected error 0.25, coverage 0.750");
+  const MarkupDisplay display = carried_places({{"nose", point, "", {false, true, false}}})[0].display;
+  EXPECT_FALSE(display.selected);
+  EXPECT_TRUE(display.locked);
+  EXPECT_FALSE(display.visible);
+}
+
 TEST(CarriedPly, MovesTheVerticesAndKeepsTheTriangles) {
   const Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}};
   const std::string text = carried_ply(mesh, {*landmarks[0].point, *landmarks[2].point, *landmarks[4].point});

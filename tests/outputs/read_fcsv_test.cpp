@@ -46,6 +46,10 @@ TEST(ReadFcsv, PointsThatAreNotDefinedAreMissingHiddenOnesAreNot) {
   ASSERT_EQ(points.size(), 4u);
   EXPECT_EQ(points[0].position, Vec3(1, 2, 3));
   for (int i : {1, 2, 3}) EXPECT_FALSE(points[i].position) << points[i].label;
+  EXPECT_FALSE(points[0].display.selected);
+  EXPECT_TRUE(points[0].display.locked);
+  EXPECT_FALSE(points[0].display.visible);
+  EXPECT_TRUE(points[1].display.selected && !points[1].display.locked && points[1].display.visible);
 }
 
 TEST(ReadFcsv, NamesTheLineOfAnError) {

@@ -78,13 +78,21 @@ TEST(ReadPointsCsv, NamesTheLineOfAnError) {
 }
 
 TEST(ReadMarkups, ReadsBackWhatMarkupsWrite) {
-  const auto points = read_markups(markups_text({{"nose", "big", Vec3(0.1, -2, 3)}, {"ear", "", {}}}), "a.mrk.json");
+  const auto points = read_markups(markups_text({{"nose", "big", Vec3(0.1, -2, 3), {false, true, false}}, {"ear", "", {}}}), "a.mrk.json");
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[0].label, "nose");
   EXPECT_EQ(points[0].description, "big");
   EXPECT_EQ(points[0].position, Vec3(0.1, -2, 3));
   EXPECT_EQ(points[1].label, "ear");
   EXPECT_FALSE(points[1].position);
+  EXPECT_FALSE(points[0].display.selected);
+  EXPECT_TRUE(points[0].display.locked);
+  EXPECT_FALSE(points[0].display.visible);
+}
+
+TEST(ReadMarkups, WhatSaysNothingOfItsDisplayIsShownAndSelected) {
+  const auto points = read_markups(R"({"markups": [{"controlPoints": [{"position": [1, 2, 3], "locked": 0}]}]})", "a");
+  EXPECT_TRUE(points[0].display.selected && !points[0].display.locked && points[0].display.visible);
 }
 
 TEST(ReadMarkups, GoesByTheFilesOwnCoordinateSystem) {

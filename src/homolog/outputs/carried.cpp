@@ -9,19 +9,38 @@
 namespace homolog {
 namespace {
 
-std::string description(const CarriedLandmark& landmark) {
-  if (!landmark.point) return "missing on the shape it comes from";
-  const std::string coverage = landmark.point->coverage ? fmt::format(", coverage {:.3f}", *landmark.point->coverage) : "";
-  if (!landmark.point->is_there()) return "outside the covered part" + coverage;
-  return fmt::format("expected error {:.4g}", landmark.point->expected_error) + coverage;
+constexpr const char* was_missing = "missing on the shape it comes from";
+constexpr const char* not_covered = "outside the covered part";
+constexpr const char* error_to_expect = "expected error ";
+
+std::string told(const std::optional<CarriedPoint>& point) {
+  if (!point) return was_missing;
+  const std::string coverage = point->coverage ? fmt::format(", coverage {:.3f}", *point->coverage) : "";
+  if (!point->is_there()) return not_covered + coverage;
+  return fmt::format("{}{:.4g}", error_to_expect, point->expected_error) + coverage;
+}
+
+/// A description without what told() added to it on another way.
+std::string before_told(const std::string& description) {
+  const std::size_t last = description.rfind("; "), begin = last == description.npos ? 0 : last + 2;
+  const std::string_view tail = std::string_view(description).substr(begin);
+  const auto begins = [&](const char* words) { return tail.starts_with(words); };
+  if (!begins(was_missing) && !begins(not_covered) && !begins(error_to_expect)) return description;
+  return last == description.npos ? "" : description.substr(0, last);
+}
+
+std::string description_of(const CarriedLandmark& landmark) {
+  const std::string before = before_told(landmark.description);
+  return before + (before.empty() ? "" : "; ") + told(landmark.point);
 }
 
 }  // namespace
 
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks) {
   std::string text = "label,x,y,z,expected_error,coverage\n";
-  for (const auto& [label, point] : landmarks) {
-    text += csv_cell(label);
+  for (const CarriedLandmark& landmark : landmarks) {
+    const auto& point = landmark.point;
+    text += csv_cell(landmark.label);
     if (point && point->is_there()) {
       const Vec3& x = point->position;
       text += fmt::format(",{},{},{},{},", x.x(), x.y(), x.z(), point->expected_error);
@@ -37,7 +56,8 @@ std::vector<MarkupPoint> carried_places(const std::vector<CarriedLandmark>& land
   std::vector<MarkupPoint> points;
   for (const CarriedLandmark& landmark : landmarks) {
     const bool is_there = landmark.point && landmark.point->is_there();
-    points.push_back({landmark.label, description(landmark), is_there ? std::optional(landmark.point->position) : std::nullopt});
+    points.push_back(
+        {landmark.label, description_of(landmark), is_there ? std::optional(landmark.point->position) : std::nullopt, landmark.display});
   }
   return points;
 }

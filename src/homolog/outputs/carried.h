@@ -16,12 +16,15 @@ namespace homolog {
 struct CarriedLandmark {
   std::string label;
   std::optional<CarriedPoint> point;  ///< none: it was missing already
+  std::string description = {};       ///< what the file that it is from says of it
+  MarkupDisplay display = {};
 };
 
 /// label,x,y,z,expected_error,coverage; cells of what is missing or not known stay empty.
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks);
 
-/// Labels and places alone, for the formats that tell no more; the description tells expected error and coverage.
+/// Points for the formats that have no columns of their own for expected error and coverage: the description tells these behind what it
+/// said before, in place of what an earlier transfer told there.
 std::vector<MarkupPoint> carried_places(const std::vector<CarriedLandmark>& landmarks);
 
 /// The mesh with its vertices where `positions` are; properties `quality` (coverage, 1 if it is not known, 0 without an inverse) and

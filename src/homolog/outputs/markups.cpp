@@ -22,9 +22,9 @@ constexpr const char* kMarkupsSchema =
 ordered_json control_point(const MarkupPoint& point, std::size_t number) {
   ordered_json json = {{"id", fmt::format("{}", number)}, {"label", point.label}, {"description", point.description}};
   if (point.position) json["position"] = {point.position->x(), point.position->y(), point.position->z()};
-  json["selected"] = true;
-  json["locked"] = false;
-  json["visibility"] = true;
+  json["selected"] = point.display.selected;
+  json["locked"] = point.display.locked;
+  json["visibility"] = point.display.visible;
   json["positionStatus"] = point.position ? "defined" : "undefined";
   return json;
 }
@@ -37,8 +37,14 @@ Vec3 lps_signs(const ordered_json& markup, const std::string& file) {
   throw FileError(fmt::format("{}: the coordinate system '{}' is not known; save the points as LPS or RAS", file, shown(system)));
 }
 
+/// What is no truth value says nothing; no point is refused for how it is shown.
+bool flag(const ordered_json& json, const char* key, bool otherwise) {
+  return json.contains(key) && json[key].is_boolean() ? json[key].get<bool>() : otherwise;
+}
+
 MarkupPoint read_point(const ordered_json& json, const Vec3& signs, const std::string& file) {
   MarkupPoint point{json.value("label", ""), json.value("description", ""), {}};
+  point.display = {flag(json, "selected", true), flag(json, "locked", false), flag(json, "visibility", true)};
   if (json.value("positionStatus", "defined") != "defined" || !json.contains("position")) return point;
   const auto x = json["position"].get<std::vector<double>>();
   if (x.size() != 3)

@@ -10,9 +10,15 @@
 
 namespace homolog {
 
+/// How Slicer shows a point and what it lets one do with it.
+struct MarkupDisplay {
+  bool selected = true, locked = false, visible = true;
+};
+
 struct MarkupPoint {
   std::string label, description;
   std::optional<Vec3> position;  ///< none: missing (positionStatus "undefined", without coordinates)
+  MarkupDisplay display = {};
 };
 
 /// A markup of a file, beside its points.

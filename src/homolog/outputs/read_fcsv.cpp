@@ -48,6 +48,7 @@ MarkupPoint read_row(Text& text, const std::vector<std::string>& cells, const He
     return column < cells.size() && found != header.columns.end() ? std::string_view(cells[column]) : std::string_view();
   };
   MarkupPoint point{std::string(cell("label")), std::string(cell("desc")), {}};
+  point.display = {cell("sel") != "0", cell("lock") == "1", cell("vis") != "0"};
   const bool status_known = cells.size() > header.columns.size() && !cells[header.columns.size()].empty();
   if (status_known && cells[header.columns.size()] != "2") return point;
   point.position = landmark_position(text, {cell("x"), cell("y"), cell("z")});

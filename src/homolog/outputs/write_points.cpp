@@ -18,8 +18,9 @@ namespace {
 
 std::string points_csv(const std::vector<MarkupPoint>& points) {
   std::string text = "label,x,y,z\n";
-  for (const auto& [label, description, position] : points) {
-    text += csv_cell(label) + (position ? fmt::format(",{},{},{}\n", position->x(), position->y(), position->z()) : ",,,\n");
+  for (const MarkupPoint& point : points) {
+    const auto& position = point.position;
+    text += csv_cell(point.label) + (position ? fmt::format(",{},{},{}\n", position->x(), position->y(), position->z()) : ",,,\n");
   }
   return text;
 }
