@@ -7,6 +7,7 @@
 #include "homolog/base/parallel.h"
 #include "homolog/match/dense_faults.h"
 #include "homolog/match/elastic_skin.h"
+#include "homolog/match/unfold.h"
 #include "homolog/shape/orient.h"
 #include "homolog/shape/vertex_normals.h"
 
@@ -20,10 +21,12 @@ constexpr double sure_reach = 0.02;              // up to which it has its whole
 constexpr double most_stretch = 4;               // of an edge, beyond the scale of the match, before it counts as torn
 constexpr double slack = 0.02;                   // how far apart the ends of any edge may lie
 constexpr double good_error = 0.05;
+constexpr double unfolding = 0.02;  // how far a vertex may be moved to unfold triangles
 
 /// A mesh to be drawn onto another, in that one's coordinates, and how surely its vertices belong to the covered part.
 struct Drawn {
   const Mesh& mesh;
+  const Mesh& outer;  ///< the same, its triangles oriented
   std::vector<Vec3> positions, normals;
   std::vector<double> coverage;
 };
@@ -32,6 +35,7 @@ struct Drawn {
 struct Ground {
   NearestSurface surface;
   const Mesh& at_rest;
+  const std::vector<Vec3>& outward;  ///< normals of its vertices at rest
   SkinRoutes routes;
   TearLimit limit;
 };
@@ -70,7 +74,8 @@ Pull pull_to(const Drawn& drawn, const Places& places, const Places& untorn, dou
   return pull;
 }
 
-Laid lay(const Drawn& drawn, const Ground& ground, const ElasticSkin& skin, double extent) {
+/// `mirrored`: the map turns right-handed into left-handed.
+Laid lay(const Drawn& drawn, const Ground& ground, const ElasticSkin& skin, double extent, bool mirrored) {
   const auto edges = edges_of(drawn.mesh);
   Laid laid{drawn.positions, {}};
   Places places(drawn.positions.size());
@@ -81,6 +86,7 @@ Laid lay(const Drawn& drawn, const Ground& ground, const ElasticSkin& skin, doub
     laid.positions = skin.drawn(laid.positions, pull_to(drawn, places, untorn, extent), length * extent);
   }
   places = nearest_places(laid.positions, drawn, ground, extent, places);
+  unfold(places, {drawn.outer, drawn.normals, ground.surface, ground.at_rest, ground.outward, mirrored}, unfolding * extent);
   laid.places = at_rest(places, ground);
   laid.torn = take_torn_apart(laid.places, drawn.mesh, edges, ground.routes, ground.limit);
   for (std::size_t i = 0; i < places.size(); ++i) {
@@ -129,21 +135,22 @@ DenseMaps dense_maps(const MatchMap& match, const Mesh& model, const Mesh& data)
   const Mesh outer_model{model.vertices, orient(model).triangles}, outer_data{data.vertices, orient(data).triangles};
   const std::vector<Vec3> model_normals = oriented_normals(outer_model), data_normals = oriented_normals(outer_data);
   const std::vector<CarriedPoint> carried = carry_points(match, model.vertices, Direction::data_from_model);
-  Drawn on_data{model, {}, {}, {}};
+  Drawn on_data{model, outer_model, {}, {}, {}};
   for (const CarriedPoint& vertex : carried) {
     on_data.positions.push_back(vertex.position);
     on_data.coverage.push_back(vertex.coverage.value_or(1));
   }
   on_data.normals = moved_normals(on_data.positions, outer_model, mirrored);
-  const Ground data_ground{{data, data_normals}, data, SkinRoutes(data), {most_stretch * match.scale, slack * extent}};
-  const Laid laid_model = lay(on_data, data_ground, ElasticSkin(model, match.scale, chirality), extent);
+  const Ground data_ground{{data, data_normals}, data, data_normals, SkinRoutes(data), {most_stretch * match.scale, slack * extent}};
+  const Laid laid_model = lay(on_data, data_ground, ElasticSkin(model, match.scale, chirality), extent, mirrored);
 
-  const Drawn on_model{data, data.vertices, data_normals, coverage_of(match.data, match.data_diagonal, data.vertices)};
+  const Drawn on_model{data, outer_data, data.vertices, data_normals, coverage_of(match.data, match.data_diagonal, data.vertices)};
   const Ground model_ground{{{laid_model.positions, model.triangles}, moved_normals(laid_model.positions, outer_model, mirrored)},
                             model,
+                            model_normals,
                             SkinRoutes(model),
                             {most_stretch / match.scale, slack * extent / match.scale}};
-  const Laid laid_data = lay(on_model, model_ground, ElasticSkin(data, 1, Chirality::proper), extent);
+  const Laid laid_data = lay(on_model, model_ground, ElasticSkin(data, 1, Chirality::proper), extent, mirrored);
 
   const auto model_error = [&](std::size_t i) { return carried[i].expected_error / extent; };
   const auto data_error = [&](std::size_t i) {

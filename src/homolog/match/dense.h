@@ -38,7 +38,8 @@ struct DenseMaps {
 
 /// The model's mesh is warped, then drawn onto the data: each vertex towards the nearest place that faces the same way (60 degrees), by
 /// a skin that keeps its shape as far as it can (elastic_skin.h), in two steps, the second one finer. The data's vertices then find their
-/// places on the model as it lies there, in the same way. Without a place stay what lies outside the covered part, what is farther than 5 %
+/// places on the model as it lies there, in the same way. Corners of folded triangles are drawn between their neighbours, at most by 2 % of
+/// the extent (unfold.h). Without a place stay what lies outside the covered part, what is farther than 5 %
 /// of the matched extent from the other surface, and one end of each edge whose ends would land farther apart along the skin than four
 /// times its length at the match's scale and 2 % of the extent: so near limbs are never joined. Throws ShapeError for meshes
 /// that check_mesh() refuses.
