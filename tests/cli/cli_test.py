@@ -57,7 +57,7 @@ class Usage(Program):
         self.expect_message(2, "'resolution' is '8', but must be", "points", "bear.off", "--resolution", "8")
         self.expect_message(2, "'resolution' is '64.5'", "points", "bear.off", "--resolution", "64.5")
         self.expect_message(2, "'sigma0' is 'nan'", "points", "bear.off", "--sigma0", "nan")
-        self.expect_message(2, "allow, forbid, only", "match", "bear.off", "bear.off", "--mirror", "maybe")
+        self.expect_message(2, "allow, forbid or only", "match", "bear.off", "bear.off", "--mirror", "maybe")
         self.expect_message(2, "preset 'papr'", "points", "bear.off", "--preset", "papr")
         self.expect_message(2, "no name", "points", "bear.off", "--out", "")
         self.expect_message(2, "--threads is '-1'", "points", "bear.off", "--threads", "-1")
