@@ -25,7 +25,7 @@ double farthest(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   return most;
 }
 
-Pull none(const Mesh& mesh) {
+VertexPull none(const Mesh& mesh) {
   return {std::vector<Vec3>(mesh.vertices.size(), Vec3::Zero()), std::vector<double>(mesh.vertices.size(), 0)};
 }
 
@@ -36,7 +36,7 @@ TEST(ElasticSkin, StaysWhenNothingPulls) {
 
 TEST(ElasticSkin, FollowsAFewVerticesAsAWhole) {
   const std::vector<Vec3> positions = turned(sphere.vertices);
-  Pull pull = none(sphere);
+  VertexPull pull = none(sphere);
   const Vec3 shift(0.3, 0, 0.1);
   for (std::size_t i = 0; i < positions.size(); i += 5) {
     pull.targets[i] = positions[i] + shift;
@@ -48,7 +48,7 @@ TEST(ElasticSkin, FollowsAFewVerticesAsAWhole) {
 
 TEST(ElasticSkin, SmoothsWhatNoiseAsksFor) {
   const std::vector<Vec3> positions = turned(sphere.vertices);
-  Pull pull{positions, std::vector<double>(positions.size(), 1)};
+  VertexPull pull{positions, std::vector<double>(positions.size(), 1)};
   for (std::size_t i = 0; i < positions.size(); ++i) pull.targets[i] += 0.2 * (i % 2 == 0 ? 1 : -1) * Vec3::UnitX();
   const auto drawn = ElasticSkin(sphere, 3, Chirality::proper).drawn(positions, pull, 2);
   EXPECT_LT(farthest(drawn, positions), 0.1);
@@ -64,7 +64,7 @@ TEST(ElasticSkin, TakesVerticesWithoutTrianglesAndTwins) {
   Mesh mesh = sphere;
   mesh.vertices.push_back({7, 7, 7});              // of no triangle
   mesh.vertices.push_back(mesh.vertices.front());  // a seam
-  Pull pull = none(mesh);
+  VertexPull pull = none(mesh);
   const std::size_t lone = mesh.vertices.size() - 2, twin = lone + 1;
   pull.targets[lone] = {8, 7, 7};
   pull.weights[lone] = 1;
@@ -96,7 +96,8 @@ struct Solved {
 };
 
 /// The least of the sum in elastic_skin.h, and of a ten-thousandth of the surface times how far each vertex goes, by a full matrix.
-Solved solved(const Mesh& mesh, double scale, Chirality chirality, const std::vector<Vec3>& positions, const Pull& pull, double length) {
+Solved solved(const Mesh& mesh, double scale, Chirality chirality, const std::vector<Vec3>& positions, const VertexPull& pull,
+              double length) {
   const Eigen::MatrixXd stiffness = gradient_products(mesh);
   const auto count = static_cast<Eigen::Index>(mesh.vertices.size());
   std::vector<Mat3> local(count);
@@ -141,7 +142,7 @@ TEST(ElasticSkin, GoesWhereAFullMatrixSays) {
     std::vector<Vec3> positions;
     for (const Vec3& v : small.vertices)
       positions.push_back(turn((chirality == Chirality::proper ? 1 : -1) * v + Vec3(0.2 * v.z() * v.z(), 0, 0)));
-    Pull pull = none(small);
+    VertexPull pull = none(small);
     for (std::size_t i = 0; i < positions.size(); i += 3) {
       pull.targets[i] = positions[i] + Vec3(0.3, 0.1 * positions[i].y(), -0.2);
       pull.weights[i] = 0.5 + 0.1 * static_cast<double>(i % 5);

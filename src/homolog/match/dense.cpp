@@ -64,8 +64,8 @@ Places at_rest(Places places, const Ground& ground) {
 }
 
 /// What draws the vertices to their places, as strongly as those are sure; torn ones are left alone.
-Pull pull_to(const Drawn& drawn, const Places& places, const Places& untorn, double extent) {
-  Pull pull{drawn.positions, std::vector<double>(places.size(), 0)};
+VertexPull pull_to(const Drawn& drawn, const Places& places, const Places& untorn, double extent) {
+  VertexPull pull{drawn.positions, std::vector<double>(places.size(), 0)};
   for (std::size_t i = 0; i < places.size(); ++i) {
     if (!untorn[i]) continue;
     pull.targets[i] = places[i]->position;

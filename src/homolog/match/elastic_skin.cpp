@@ -66,7 +66,7 @@ std::vector<Mat3> ElasticSkin::local_similarities(const std::vector<Vec3>& posit
   return similarities;
 }
 
-Eigen::MatrixX3d ElasticSkin::forces(const std::vector<Vec3>& positions, const Pull& pull, double length) const {
+Eigen::MatrixX3d ElasticSkin::forces(const std::vector<Vec3>& positions, const VertexPull& pull, double length) const {
   const std::vector<Mat3> local = local_similarities(positions);
   Eigen::MatrixX3d forces = Eigen::MatrixX3d::Zero(areas_.size(), 3);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -81,7 +81,7 @@ Eigen::MatrixX3d ElasticSkin::forces(const std::vector<Vec3>& positions, const P
   return forces;
 }
 
-std::vector<Vec3> ElasticSkin::drawn(const std::vector<Vec3>& positions, const Pull& pull, double length) const {
+std::vector<Vec3> ElasticSkin::drawn(const std::vector<Vec3>& positions, const VertexPull& pull, double length) const {
   Eigen::VectorXd weights = least_weight * areas_;
   for (std::size_t i = 0; i < positions.size(); ++i) weights[first_[i]] += pull.weights[i] * areas_[first_[i]];
   Sparse system = length * length * stiffness_;

@@ -11,7 +11,7 @@
 namespace homolog {
 
 /// Where the vertices are drawn to, and how strongly: 0 not at all.
-struct Pull {
+struct VertexPull {
   std::vector<Vec3> targets;
   std::vector<double> weights;
 };
@@ -26,12 +26,12 @@ class ElasticSkin {
   /// One step from `positions`: those that minimise the integral over the surface at rest, measured at `scale`, of
   /// w |x - target|^2 + length^2 |grad x - T|^2. T is the similarity by which the surface lies about a vertex now: its rotation, and the
   /// geometric mean of its scale and the whole's. `length`, in the unit of the positions, says how far a vertex drags others along.
-  std::vector<Vec3> drawn(const std::vector<Vec3>& positions, const Pull& pull, double length) const;
+  std::vector<Vec3> drawn(const std::vector<Vec3>& positions, const VertexPull& pull, double length) const;
 
  private:
   std::vector<Mat3> local_similarities(const std::vector<Vec3>& positions) const;
   /// What pulls each vertex, and what its neighbours want it to do.
-  Eigen::MatrixX3d forces(const std::vector<Vec3>& positions, const Pull& pull, double length) const;
+  Eigen::MatrixX3d forces(const std::vector<Vec3>& positions, const VertexPull& pull, double length) const;
 
   std::vector<Vec3> rest_;
   double scale_;
