@@ -13,7 +13,7 @@ namespace {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 template <class Value>
-std::array<Value, 3> corners_of(const std::vector<Value>& values, const std::array<std::uint32_t, 3>& triangle) {
+std::array<Value, 3> corners_of(const std::vector<Value>& values, const Triangle& triangle) {
   return {values[triangle[0]], values[triangle[1]], values[triangle[2]]};
 }
 

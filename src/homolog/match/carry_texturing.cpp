@@ -106,7 +106,7 @@ struct Carried {
   std::optional<std::array<Uv, 3>> uvs;
 };
 
-Carried carry_triangle(const Islands& islands, const std::array<std::uint32_t, 3>& triangle, const std::vector<DensePlace>& places) {
+Carried carry_triangle(const Islands& islands, const Triangle& triangle, const std::vector<DensePlace>& places) {
   const std::array<const DensePlace*, 3> corners{&places[triangle[0]], &places[triangle[1]], &places[triangle[2]]};
   for (const DensePlace* corner : corners) {
     if (!corner->is_there()) return {};

@@ -42,8 +42,8 @@ std::size_t take_torn_apart(Places& places, const Mesh& mesh, const std::vector<
   return all;
 }
 
-Folds count_folds(const std::vector<std::array<std::uint32_t, 3>>& triangles, const Places& places, const Mesh& other,
-                  const std::vector<Vec3>& normals, bool mirrored) {
+Folds count_folds(const std::vector<Triangle>& triangles, const Places& places, const Mesh& other, const std::vector<Vec3>& normals,
+                  bool mirrored) {
   Folds folds{0, 0};
   for (const auto& [a, b, c] : triangles) {
     if (!places[a] || !places[b] || !places[c]) continue;

@@ -30,7 +30,7 @@ struct Folds {
 
 /// Triangles of a consistently oriented mesh with three places, and how many of them lie with the wrong side up where those are.
 /// `normals`: outward, of the other mesh's vertices; `mirrored`: the map turns right-handed into left-handed.
-Folds count_folds(const std::vector<std::array<std::uint32_t, 3>>& triangles, const Places& places, const Mesh& other,
-                  const std::vector<Vec3>& normals, bool mirrored);
+Folds count_folds(const std::vector<Triangle>& triangles, const Places& places, const Mesh& other, const std::vector<Vec3>& normals,
+                  bool mirrored);
 
 }  // namespace homolog

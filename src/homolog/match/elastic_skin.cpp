@@ -19,7 +19,7 @@ constexpr double tolerance = 1e-3;     // of the forces
 constexpr int most_steps = 200;
 
 /// Half the cotangent of the angle at corner k, which weighs the edge on the other side; never negative.
-double edge_weight(const Mesh& mesh, const std::array<std::uint32_t, 3>& triangle, int k) {
+double edge_weight(const Mesh& mesh, const Triangle& triangle, int k) {
   const Vec3& corner = mesh.vertices[triangle[k]];
   const Vec3 a = mesh.vertices[triangle[(k + 1) % 3]] - corner, b = mesh.vertices[triangle[(k + 2) % 3]] - corner;
   const double sine = a.cross(b).norm(), cosine = a.dot(b);
