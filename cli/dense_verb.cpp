@@ -8,18 +8,17 @@
 #include "exit_codes.h"
 #include "homolog/base/parallel.h"
 #include "homolog/outputs/dense_files.h"
+#include "meshed_match.h"
 #include "options.h"
 #include "result_folder.h"
-#include "stored_match.h"
 #include "verbs.h"
 
 namespace homolog::cli {
 namespace {
 
 struct DenseOptions {
-  StoredMatchOptions match;
-  std::string model, data, out, threads = "0";
-  bool quiet = false, timing = false;
+  MeshedMatchOptions meshed;
+  std::string out;
 };
 
 constexpr const char* kExamples = R"(Examples:
@@ -44,8 +43,8 @@ std::string told(const char* name, const std::string& from, const std::string& t
                      map.places.size(), from, to, map.folded, map.triangles, map.torn);
 }
 
-void write_maps(const ResultFolder& folder, const StoredFamily& family, int match, const Mesh& model, const Mesh& data,
-                const DenseMaps& maps) {
+void write_maps(const ResultFolder& folder, const MeshedMatch& laid, int match) {
+  const auto& [family, model, data, maps] = laid;
   const std::vector<Colour> colours = position_colours(model);
   folder.write({{"data_from_model.csv", whole(dense_csv(maps.data_from_model))},
                 {"model_from_data.csv", whole(dense_csv(maps.model_from_data))},
@@ -55,30 +54,20 @@ void write_maps(const ResultFolder& folder, const StoredFamily& family, int matc
 }
 
 int run_dense(const DenseOptions& options) {
-  const ResultFolder folder(options.out, {options.model, options.data});
-  const ThreadLimit limit(parse_threads(options.threads));
-  Console console(options.quiet, options.timing);
-  console.stage("reading the match");
-  const std::optional<StoredFamily> found = read_matches(options.match);
-  if (!found) return kNothingFound;
-  const StoredFamily& family = *found;
-  const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
-  const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
-  if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
-  console.watch().lap("reading match and meshes", model.triangles.size() + data.triangles.size(), "triangles");
-  console.stage("laying the meshes onto each other");
-  const DenseMaps maps = dense_maps(match, model, data);
-  console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
+  const MeshedMatchOptions& given = options.meshed;
+  const ResultFolder folder(options.out, {given.model, given.data});
+  const ThreadLimit limit(parse_threads(given.threads));
+  Console console(given.quiet, given.timing);
+  const std::optional<MeshedMatch> laid = lay_meshed_match(given, console);
+  if (!laid) return kNothingFound;
+  const auto& [family, model, data, maps] = *laid;
   console.stage("writing results");
-  write_maps(folder, family, options.match.number, model, data, maps);
+  write_maps(folder, *laid, given.match.number);
   console.watch().lap("writing results", model.vertices.size() + data.vertices.size(), "vertices");
   console.clear();
   print_result(told("data_from_model", family.model.file, family.data.file, maps.data_from_model) +
                told("model_from_data", family.data.file, family.model.file, maps.model_from_data));
-  if (maps.data_from_model.placed > 0) return kFound;
-  print_message("nothing found: no vertex has a place; are the meshes those that were matched?");
-  return kNothingFound;
+  return outcome(maps);
 }
 
 }  // namespace
@@ -86,13 +75,8 @@ int run_dense(const DenseOptions& options) {
 Verb add_dense(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("dense", "Find the place of every vertex on the other mesh by a match found before.");
   const auto options = std::make_shared<DenseOptions>();
-  add_stored_match_options(*verb, options->match);
+  add_meshed_match_options(*verb, options->meshed);
   add_out_option(*verb, options->out)->required();
-  verb->add_option("--model", options->model, "The model that was matched; else the one beside MATCH.")->type_name("FILE");
-  verb->add_option("--data", options->data, "The data that was matched; else the one beside MATCH.")->type_name("FILE");
-  add_threads_option(*verb, options->threads);
-  verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
-  add_timing_option(*verb, options->timing);
   verb->footer(kExamples);
   return {verb, [options] { return run_dense(*options); }};
 }

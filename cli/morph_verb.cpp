@@ -12,18 +12,19 @@
 #include "homolog/outputs/dense_files.h"
 #include "homolog/outputs/morph.h"
 #include "homolog/outputs/write_file.h"
+#include "meshed_match.h"
 #include "options.h"
-#include "stored_match.h"
 #include "verbs.h"
+#include "whole_number.h"
 
 namespace homolog::cli {
 namespace {
 
 struct MorphOptions {
-  StoredMatchOptions match;
-  std::string model, data, out, threads = "0";
-  int frames = 0;
-  bool coloured = false, quiet = false, timing = false;
+  MeshedMatchOptions meshed;
+  std::string out;
+  int frames = 0;  ///< meshes besides, none or from 2 to most_frames
+  bool coloured = false;
 };
 
 constexpr int most_frames = 1000;
@@ -55,37 +56,28 @@ std::vector<OutputFile> morph_files(const Morph& morph, const MorphOptions& opti
   return files;
 }
 
-void check_options(const MorphOptions& options) {
-  if (lower_extension(options.out) != ".glb") throw UsageError(fmt::format("a morph is written as .glb, not as '{}'", options.out));
-  if (options.frames == 0 || (options.frames >= 2 && options.frames <= most_frames)) return;
-  throw UsageError(fmt::format("--frames is {}, but must be a whole number from 2 to {}", options.frames, most_frames));
+void check_out(const std::string& out) {
+  if (lower_extension(out) != ".glb") throw UsageError(fmt::format("a morph is written as .glb, not as '{}'", out));
 }
 
 int run_morph(const MorphOptions& options) {
-  check_options(options);
-  const ThreadLimit limit(parse_threads(options.threads));
-  Console console(options.quiet, options.timing);
-  console.stage("reading the match");
-  const std::optional<StoredFamily> found = read_matches(options.match);
-  if (!found) return kNothingFound;
-  const StoredFamily& family = *found;
-  const MatchMap& match = chosen_match(family, options.match);
-  const Mesh model = matched_mesh(options.match, options.model, family, match, Direction::data_from_model);
-  const Mesh data = matched_mesh(options.match, options.data, family, match, Direction::model_from_data);
-  console.stage("laying the model onto the data");
-  console.watch().lap("reading match and meshes", model.triangles.size() + data.triangles.size(), "triangles");
-  const DenseMaps maps = dense_maps(match, model, data);
-  console.watch().lap("dense maps", model.vertices.size() + data.vertices.size(), "vertices");
+  check_out(options.out);
+  const MeshedMatchOptions& given = options.meshed;
+  const ThreadLimit limit(parse_threads(given.threads));
+  Console console(given.quiet, given.timing);
+  const std::optional<MeshedMatch> laid = lay_meshed_match(given, console);
+  if (!laid) return kNothingFound;
+  const auto& [family, model, data, maps] = *laid;
   console.stage("writing results");
-  std::vector<std::filesystem::path> read = stored_files(options.match);
-  read.insert(read.end(), {options.model, options.data});
-  write_files(morph_files(make_morph(match, model, maps), options), read);
+  std::vector<std::filesystem::path> read = stored_files(given.match);
+  read.insert(read.end(), {given.model, given.data});
+  write_files(morph_files(make_morph(chosen_match(family, given.match), model, maps), options), read);
   console.watch().lap("writing results", 1 + static_cast<std::size_t>(options.frames), "files");
   console.clear();
   const DenseMap& map = maps.data_from_model;
   print_result(fmt::format("{} turns into {}: {} of {} vertices have a place there; {} of {} triangles folded over, {} edges torn\n",
                            family.model.file, family.data.file, map.placed, model.vertices.size(), map.folded, map.triangles, map.torn));
-  return kFound;
+  return outcome(maps);
 }
 
 }  // namespace
@@ -93,15 +85,13 @@ int run_morph(const MorphOptions& options) {
 Verb add_morph(CLI::App& program) {
   CLI::App* verb = program.add_subcommand("morph", "Turn the model into the data by a match found before, as an animated glTF.");
   const auto options = std::make_shared<MorphOptions>();
-  add_stored_match_options(*verb, options->match);
+  add_meshed_match_options(*verb, options->meshed);
   verb->add_option("--out", options->out, "Where to write: a .glb.")->type_name("FILE")->required();
-  verb->add_option("--frames", options->frames, "Write so many meshes besides, from the model to the data.")->type_name("N");
+  const auto store = [options](const std::string& text) {
+    options->frames = static_cast<int>(whole_number("--frames", text, 2, most_frames));
+  };
+  verb->add_option_function<std::string>("--frames", store, "Write so many meshes besides, from the model to the data.")->type_name("N");
   verb->add_flag("--colour", options->coloured, "Colour the vertices by their position on the model.");
-  verb->add_option("--model", options->model, "The model that was matched; else the one beside MATCH.")->type_name("FILE");
-  verb->add_option("--data", options->data, "The data that was matched; else the one beside MATCH.")->type_name("FILE");
-  add_threads_option(*verb, options->threads);
-  verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
-  add_timing_option(*verb, options->timing);
   verb->footer(kExamples);
   return {verb, [options] { return run_morph(*options); }};
 }

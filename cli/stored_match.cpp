@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <limits>
 
-#include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
 #include "homolog/outputs/misplaced.h"
@@ -51,6 +50,10 @@ const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOption
                                  count == 1 ? "" : "es", count == 1 ? "" : fmt::format(" to {}", count)));
   }
   return family.matches[static_cast<std::size_t>(options.number - 1)];
+}
+
+void warn_of_unknown_parts(const StoredFamily& family, Console& console) {
+  if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
 }
 
 Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "console.h"
 #include "homolog/outputs/read_match.h"
 #include "homolog/shape/mesh.h"
 #include "homolog/shape/read_limits.h"
@@ -29,6 +30,9 @@ std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 
 /// The one that is asked for. Throws UsageError when there are fewer; the family holds at least one.
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
+
+/// Without parts.json only distance tells which part is covered.
+void warn_of_unknown_parts(const StoredFamily& family, Console& console);
 
 /// The mesh that was matched and that `direction` carries from: `given` if that is not empty, else the file in the folder of the match.
 /// Throws FileError, also for the other shape's file, and for a mesh that has not as many vertices as the one that was matched.

@@ -8,7 +8,9 @@
 #include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
+#include "homolog/base/parallel.h"
 #include "homolog/base/read_file.h"
+#include "homolog/outputs/attribute_files.h"
 #include "homolog/outputs/carried.h"
 #include "homolog/outputs/misplaced.h"
 #include "homolog/outputs/read_points.h"
@@ -26,7 +28,7 @@ namespace {
 
 struct TransferOptions {
   StoredMatchOptions match;
-  std::string points, specimen, mesh, out;
+  std::string points, specimen, mesh, out, threads = "0";
   AttributeOptions attributes;
   bool inverse = false, quiet = false, timing = false;
 };
@@ -56,7 +58,7 @@ the file states, or to RAS where the mesh was saved so by 3D Slicer (SPACE=RAS).
 a .ply it is a property of the vertices beside quality, how surely they are covered.
 
 --attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
-triangle's corners, a label is the nearest one's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
+triangle's corners, a label is the nearest corner's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
 has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried', in a .glb it has
 none. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the surface about them, and keep
 their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has, and keys fade there.
@@ -168,12 +170,13 @@ std::vector<std::filesystem::path> files_of(const TransferOptions& options) {
 
 int run_transfer(const TransferOptions& options) {
   check_options(options);
+  const ThreadLimit limit(parse_threads(options.threads));
   Console console(options.quiet, options.timing);
   console.stage("reading the match");
   const std::optional<StoredFamily> found = read_matches(options.match);
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
-  if (!family.parts_known) console.warn("no parts.json stands beside the match, so points outside the covered part are carried, too");
+  warn_of_unknown_parts(family, console);
   const MatchMap& match = chosen_match(family, options.match);
   console.watch().lap("reading the match", family.matches.size(), "matches");
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
@@ -210,10 +213,12 @@ Verb add_transfer(CLI::App& program) {
       ->type_name("NAME");
   verb->add_option("--mesh", options->mesh, "A mesh to carry, in the coordinates of the model.")->type_name("FILE");
   add_attribute_options(*verb, options->attributes);
-  verb->add_option("--out", options->out, "Where to write: .csv, .mrk.json, .tps, .pts or .txt for points, .ply for a mesh and attributes.")
+  verb->add_option("--out", options->out,
+                   fmt::format("Where to write: {} for points, .ply for a mesh, {} for attributes.", writable_points, writable_attributes))
       ->type_name("FILE")
       ->required();
   verb->add_flag("--inverse", options->inverse, "Carry from the data to the model.");
+  add_threads_option(*verb, options->threads);
   verb->add_flag("--quiet", options->quiet, "No progress and no warnings.");
   add_timing_option(*verb, options->timing);
   verb->footer(kExamples);

@@ -59,7 +59,8 @@ class Morph(Program):
         match = "out/match.json"
         self.expect_message(2, "--out is required", "morph", match)
         self.expect_message(2, "written as .glb, not as 'a.ply'", "morph", match, "--out", "a.ply")
-        self.expect_message(2, "--frames is 1, but", "morph", match, "--frames", "1", "--out", "a.glb")
+        for wrong in "1", "1001", "2.5", "abc", "":
+            self.expect_message(2, f"--frames is '{wrong}', but must be a whole number from 2 to 1000", "morph", match, "--frames", wrong, "--out", "a.glb")
         self.expect_message(2, "--match is 99", "morph", match, "--match", "99", "--out", "a.glb")
         self.expect_message(3, "name that one", "morph", match, "--data", "plate.off", "--out", "a.glb")
         self.expect_message(3, "bear_bis.off: it was the data of this match, not the model; exchange --model and --data",

@@ -80,7 +80,8 @@ Target morphologika() {
       "morphologika",
       {"[individuals]\n2\n[landmarks]\n2\n[dimensions]\n3\n[names]\na\nb\n[rawpoints]\n'a\n1 2 3\nNA NA NA\n'b\n-4 5e1 6\n9999 9999 9999\n",
        "[Individuals]\r\n0\r\n[landmarks]\r\n0\r\n[dimensions]\r\n3\r\n[rawpoints]\r\n[wireframe]\r\n1 2\r\n",
-       "[individuals]\n\"x\n1\n[landmarks]\n"},
+       "[individuals]\n\"x\n1\n[landmarks]\n",
+       "[individuals]\n1\n[landmarks]\n1\n[dimensions]\n3\n[names]\n\x1e[names]\n[rawpoints]\n1 2 3\n"},
       [](const std::string& bytes) { run_specimens(bytes, read_morphologika, morphologika_text); }};
 }
 

@@ -45,6 +45,14 @@ TEST(Morphologika, ReadsCollectionsAndLeavesOtherSectionsOut) {
   EXPECT_EQ(specimens[1].points[0].label, "1");
 }
 
+TEST(Morphologika, ReadsBackNamesThatBeginLikeSectionsAndComments) {
+  for (const std::string name : {"[individuals]", "\"[old\" bear", " [", "'bear"}) {
+    const auto specimens = read_morphologika(morphologika_text({name, {{"1", "", Vec3(1, 2, 3)}}}), "a.txt");
+    ASSERT_EQ(specimens.size(), 1u) << name;
+    EXPECT_EQ(specimens[0].points.size(), 1u) << name;
+  }
+}
+
 TEST(Morphologika, NamesTheLineOfAnError) {
   EXPECT_THAT(message("1 2 3\n"), HasSubstr("a.txt, line 1: a section such as [individuals] must come first"));
   EXPECT_THAT(message("[individuals]\n1\n[landmarks]\n[dimensions]\n3\n"), HasSubstr("the section [landmarks] is missing or empty"));

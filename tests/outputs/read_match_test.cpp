@@ -175,6 +175,9 @@ TEST_F(ReadResult, OfAShapeAgainstItselfHasItsSymmetries) {
   EXPECT_NEAR(read_result(folder / "match.json").symmetries.value()[0].movement.scale, 1.7, 1e-12);
   write_file(folder / "symmetry.json", symmetries_json({}));
   EXPECT_THAT(message_of([&] { read_result(folder / "match.json"); }), HasSubstr("symmetry.json: it belongs to another match.json"));
+  write_file(folder / "symmetry.json", match_json(model, data, family, {}));
+  EXPECT_THAT(message_of([&] { read_result(folder / "match.json"); }),
+              HasSubstr("its format is \"homolog-match\", not \"homolog-symmetry\""));
 }
 
 }  // namespace

@@ -45,6 +45,17 @@ ordered_json json_head(const char* format) {
   return {{"format", format}, {"version", format_version}, {"program", "homolog " HOMOLOG_VERSION}};
 }
 
+void check_head(const ordered_json& json, const char* format, const std::string& file) {
+  if (json.at("format") != format)
+    throw FileError(fmt::format("{}: its format is {}, not \"{}\"; name the right file", file, shown_value(json["format"]), format));
+  if (json.at("version") != format_version) {
+    throw FileError(fmt::format("{}: its version is {}, but only {} is known; use a newer homolog", file, shown_value(json["version"]),
+                                format_version));
+  }
+}
+
+std::string shown_value(const ordered_json& value) { return shown(value.is_structured() ? value.type_name() : value.dump()); }
+
 std::string json_text(const ordered_json& value) { return json_piece(value, 0) + "\n"; }
 
 std::string json_piece(const ordered_json& value, std::size_t indent) {

@@ -20,6 +20,12 @@ inline constexpr int format_version = 1;
 /// What such a file begins with: its format, the version of that, and the program.
 nlohmann::ordered_json json_head(const char* format);
 
+/// Throws FileError, which names the file, unless it begins so. Keys that are missing: nlohmann's exception, for read_json() to turn.
+void check_head(const nlohmann::ordered_json& json, const char* format, const std::string& file);
+
+/// A value for a message. Only a plain one is written out: lists may lie in lists deeper than the stack of what writes them.
+std::string shown_value(const nlohmann::ordered_json& value);
+
 std::string json_text(const nlohmann::ordered_json& value);
 
 /// The same as a piece of a larger text, on a line that begins `indent` characters in; without a line's end.

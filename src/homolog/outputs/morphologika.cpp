@@ -88,6 +88,12 @@ std::vector<Line> point_rows(Text& text, const Sections& sections, long long ind
   return rows;
 }
 
+/// A name as it may stand on a line of its own, where what begins with [ or " is a section or a comment.
+std::string written_name(const std::string& name) {
+  const std::string line = one_line(name);
+  return line.substr(std::min(line.find_first_not_of("[\" \t"), line.size()));
+}
+
 }  // namespace
 
 std::vector<Specimen> read_morphologika(const std::string& content, const std::string& file) {
@@ -115,7 +121,7 @@ std::vector<Specimen> read_morphologika(const std::string& content, const std::s
 }
 
 std::string morphologika_text(const Specimen& specimen) {
-  const std::string name = one_line(specimen.name);
+  const std::string name = written_name(specimen.name);
   std::string text;
   for (std::size_t i = 0; i < specimen.points.size(); ++i) {
     if (const std::string told = name_comment(specimen.points[i], i + 1); !told.empty()) text += fmt::format("\"{}\"\n", told);

@@ -20,16 +20,6 @@ using nlohmann::ordered_json;
 
 [[noreturn]] void fail(const std::string& file, const std::string& what) { throw FileError(fmt::format("{}: {}", file, what)); }
 
-/// A value for a message. Only a plain one is written out: lists may lie in lists deeper than the stack of what writes them.
-std::string shown(const ordered_json& value) { return homolog::shown(value.is_structured() ? value.type_name() : value.dump()); }
-
-void check_format(const ordered_json& json, const char* format, const std::string& file) {
-  if (json.at("format") != format)
-    fail(file, fmt::format("its format is {}, not \"{}\"; name the right file", shown(json["format"]), format));
-  if (json.at("version") != format_version)
-    fail(file, fmt::format("its version is {}, but only {} is known; use a newer homolog", shown(json["version"]), format_version));
-}
-
 Vec3 read_vector(const ordered_json& item, const std::string& file) {
   const auto x = item.get<std::array<double, 3>>();
   if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
@@ -54,7 +44,7 @@ Mat4 read_matrix(const ordered_json& rows) {
 ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
   ThinPlateSpline warp;
   const std::string kernel = json.at("kernel");
-  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", homolog::shown(kernel)));
+  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", shown(kernel)));
   warp.kernel = kernel == "r" ? Kernel::r : Kernel::r3;
   warp.centres = read_vectors(json.at("centres"), file);
   warp.weights = read_vectors(json.at("weights"), file);
@@ -84,7 +74,7 @@ std::vector<KnownPlace> read_known(const ordered_json& pairs, const ordered_json
 bool states_ras(const ordered_json& shape) { return shape.value("coordinate_system", "") == "RAS"; }
 
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
-  check_format(json, "homolog-match", file);
+  check_head(json, "homolog-match", file);
   const ordered_json &model = json.at("model"), &data = json.at("data");
   StoredFamily family{{model.at("file"), states_ras(model)}, {data.at("file"), states_ras(data)}, {}};
   for (const ordered_json& item : json.at("matches")) {
@@ -112,7 +102,7 @@ CoveredSamples read_samples(const ordered_json& side, const ordered_json& weight
 }
 
 void check_parts(const ordered_json& json, const std::string& file, const std::string& model, const std::string& data, std::size_t count) {
-  check_format(json, "homolog-parts", file);
+  check_head(json, "homolog-parts", file);
   if (json.at("model").at("file") != model || json.at("data").at("file") != data || json.at("matches").size() != count) {
     fail(file, "it belongs to another match.json than the one beside it; run 'homolog match --out' again or take it away");
   }
@@ -158,7 +148,7 @@ Params read_params(const ordered_json& json, const std::string& file) {
       set_parameter(params, name, value.is_string() ? value.get<std::string>() : value.is_structured() ? value.type_name() : value.dump());
     }
   } catch (const ParamError& error) {
-    fail(file, homolog::shown(error.what(), 200));
+    fail(file, shown(error.what(), 200));
   }
   return params;
 }
@@ -187,7 +177,7 @@ Handedness read_handedness(const ordered_json& name, const std::string& file) {
   for (const Handedness handedness : {Handedness::proper, Handedness::mirrored, Handedness::ambiguous}) {
     if (name == handedness_name(handedness)) return handedness;
   }
-  fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown(name)));
+  fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown_value(name)));
 }
 
 CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const Shape& data, const std::string& file) {
@@ -220,7 +210,7 @@ Match read_match(const ordered_json& json, const Shape& model, const Shape& data
 }
 
 ReadResult read_whole(const ordered_json& json, const std::string& file) {
-  check_format(json, "homolog-match", file);
+  check_head(json, "homolog-match", file);
   ReadResult result;
   result.params = read_params(json.at("parameters"), file);
   result.model = read_shape(json.at("model"), file);

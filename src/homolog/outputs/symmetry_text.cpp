@@ -15,6 +15,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
+constexpr const char* format = "homolog-symmetry";
 constexpr double least_error = 1e-5;  // in diagonals; smaller ones are a matter of rounding
 
 /// Without the sign of a zero.
@@ -72,11 +73,14 @@ std::string symmetries_text(const std::vector<Symmetry>& symmetries) {
 std::string symmetries_json(const std::vector<Symmetry>& symmetries) {
   ordered_json list = ordered_json::array();
   for (const Symmetry& symmetry : symmetries) list.push_back(to_json(symmetry));
-  return json_text({{"symmetries", list}});
+  ordered_json json = json_head(format);
+  json["symmetries"] = list;
+  return json_text(json);
 }
 
 std::vector<Symmetry> read_symmetries(const std::string& text, const std::string& file, const std::vector<Match>& matches) {
   return read_json(text, file, "symmetries", [&](const ordered_json& json) {
+    check_head(json, format, file);
     const ordered_json& list = json.at("symmetries");
     if (list.size() != matches.size())
       throw FileError(fmt::format("{}: it belongs to another match.json than the one beside it; run 'homolog symmetry --out' again", file));

@@ -15,7 +15,8 @@ std::string symmetry_sentence(const Symmetry& symmetry);
 /// These after their ranks, a line each.
 std::string symmetries_text(const std::vector<Symmetry>& symmetries);
 
-/// {"symmetries": [...]} in the order of the family: {"kind": "mirrored", "normal", "offset", "error"}, the plane normal . x = offset, or
+/// `symmetry.json`, format "homolog-symmetry" version 1: "symmetries": [...] in the order of the family: {"kind": "mirrored", "normal",
+/// "offset", "error"}, the plane normal . x = offset, or
 /// {"kind": "repeated", "mirrored", "scale", "axis", "degrees", "shift", "error"}, y = scale turn(axis, degrees) x + shift, where x is
 /// negated along the first axis before if "mirrored" is true.
 std::string symmetries_json(const std::vector<Symmetry>& symmetries);

@@ -59,8 +59,8 @@ void end(void* reading, const char* name) {
 }  // namespace
 
 std::string_view XmlElement::attribute(std::string_view key) const {
-  for (const auto& [name, value] : attributes) {
-    if (name == key) return value;
+  for (const auto& [given, value] : attributes) {
+    if (given == key) return value;
   }
   return {};
 }
