@@ -7,6 +7,7 @@
 #include <new>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/core_share.h"
 #include "homolog/shape/read_mesh.h"
 
 namespace homolog::cli {
@@ -46,6 +47,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
   }
   file.shape.name = name;
   warn_if_open(file.shape, console);
+  if (const std::string far = told_core(file.mesh); !part && !far.empty()) console.warn(fmt::format("{}: {}", name, far));
   return file;
 }
 

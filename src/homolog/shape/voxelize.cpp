@@ -11,6 +11,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/clip.h"
+#include "homolog/shape/core_share.h"
 #include "homolog/shape/inside.h"
 #include "homolog/shape/orient.h"
 #include "homolog/shape/thicken.h"
@@ -28,9 +29,11 @@ void check_settings(int resolution, double thicken) {
   if (!(thicken >= 0 && thicken <= 1)) throw ParamError(fmt::format("a thickness of {} diagonals cannot be given; choose 0 to 1", thicken));
 }
 
-void check_inside(const Voxels& voxels) {
+void check_inside(const Voxels& voxels, const Mesh& mesh, bool is_part) {
   const auto& values = voxels.interior.values;
   if (std::any_of(values.begin(), values.end(), [](float v) { return v > 0; })) return;
+  if (const std::string far = told_core(mesh); !is_part && !far.empty())
+    throw ShapeError("the shape is too small for its box to have an inside: " + far);
   const char* why = voxels.open == 0 ? "the shape encloses no volume" : "the surface has holes too large to tell its inside";
   throw ShapeError(
       fmt::format("{}; close it (fill the holes in a mesh editor), or give its sheets a thickness (--thicken 0.02, say)", why));
@@ -126,7 +129,7 @@ Voxels voxelize(const Mesh& mesh, int resolution, const std::optional<Box>& part
   if (thickness > 0) thicken_surface(grid, thickness / frame.spacing, inside.coverage);
   voxels.interior = {frame, std::move(inside.coverage)};
   voxels.guessed = inside.guessed;
-  check_inside(voxels);
+  check_inside(voxels, mesh, part.has_value());
   return voxels;
 }
 
