@@ -90,6 +90,15 @@ def write_stl(file, vertices, corners):
         file.write(struct.pack("<12fH", 0, 0, 0, *numbers, 0))
 
 
+def write_text_stl(file, vertices, corners):
+    file.write(b"solid horns\n")
+    places = [b"      vertex %e %e %e\n" % v for v in triples(vertices)]
+    head, tail = b"  facet normal %e %e %e\n    outer loop\n" % (0, 0, 0), b"    endloop\n  endfacet\n"
+    for a, b, c in triples(corners):
+        file.write(head + places[a] + places[b] + places[c] + tail)
+    file.write(b"endsolid horns\n")
+
+
 def write_obj(file, vertices, corners):
     file.writelines(b"v %.9g %.9g %.9g\n" % v for v in triples(vertices))
     file.writelines(b"f %d %d %d\n" % (a + 1, b + 1, c + 1) for a, b, c in triples(corners))
@@ -127,7 +136,7 @@ def cost(words):
 
 
 def main():
-    formats = {"ply": write_ply, "stl": write_stl, "obj": write_obj, "off": write_off}
+    meshes = {"mesh.ply": write_ply, "mesh.stl": write_stl, "text.stl": write_text_stl, "mesh.obj": write_obj, "mesh.off": write_off}
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("names", nargs="*")
@@ -135,7 +144,7 @@ def main():
     parser.add_argument("--match", action="store_true")
     options = parser.parse_args()
     count = round(options.millions * 1e6)
-    names = options.names or [f"mesh.{form}" for form in formats] + ["cloud.ply"]
+    names = options.names or [*meshes, "cloud.ply"]
     vertices, corners = shape(count) if any(name != "cloud.ply" for name in names) else (None, None)
     print(f"{'file':10} {'MB':>6} {'CPU s':>6} {'MiB':>6}")
     with tempfile.TemporaryDirectory() as folder:
@@ -145,7 +154,7 @@ def main():
                 if name == "cloud.ply":
                     write_cloud(file, count)
                 else:
-                    formats[name.split(".")[1]](file, vertices, corners)
+                    meshes[name](file, vertices, corners)
             words = ["match", path, path, "--out", os.path.join(folder, "out")] if options.match else ["points", path]
             seconds, mebibytes = cost([options.program, *words])
             print(f"{name:10} {os.path.getsize(path) / 1e6:6.0f} {seconds:6.1f} {mebibytes:6.0f}", flush=True)

@@ -15,6 +15,15 @@ TEST(Weld, JoinsEqualPositionsInOrderOfFirstOccurrence) {
   EXPECT_EQ(welded.triangles, (std::vector<std::array<std::uint32_t, 3>>{{0, 1, 2}, {1, 3, 2}}));
 }
 
+TEST(Welder, FindsEveryVertexAgainHoweverLargeItsTableHasGrown) {
+  Welder welder;
+  const auto place = [](std::uint32_t i) { return Vec3(i % 17, i / 17 % 19, i / 323); };
+  for (int pass = 0; pass < 2; ++pass) {
+    for (std::uint32_t i = 0; i < 5000; ++i) ASSERT_EQ(welder.vertex_at(place(i)), i);
+  }
+  EXPECT_EQ(welder.mesh.vertices.size(), 5000u);
+}
+
 TEST(Weld, KeepsVerticesThatAreOnlyNear) {
   EXPECT_EQ(first_equal_vertex({{0, 0, 0}, {1e-300, 0, 0}, {0, 0, 0}}), (std::vector<std::uint32_t>{0, 1, 0}));
 }

@@ -75,14 +75,14 @@ Mesh read_content(const fs::path& path, std::string_view content, const ReadLimi
   if (content.starts_with("ply")) return read_ply_content(content, file, limits.triangles);
   if (is_vtk(content)) return read_vtk(content, file);
   if (is_vtp(content)) return read_vtp(content, file, limits.triangles);
-  if (is_stl(content)) return weld(read_stl(content, file));
+  if (is_stl(content)) return read_stl(content, file);
   if (is_obj(content)) return read_obj(content, file);
   if (is_gltf(content) || extension == ".gltf" || extension == ".glb") return weld(read_gltf(content, file, find_other, limits.triangles));
   if (is_3mf(content) || extension == ".3mf") return weld(read_3mf(content, file, limits));
   if (extension == ".off" || is_off(content)) return read_off(content, file);
   if (extension == ".obj") return read_obj(content, file);
   if (extension == ".ply") return read_ply(content, file);
-  if (extension == ".stl") return weld(read_stl(content, file));
+  if (extension == ".stl") return read_stl(content, file);
   if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, file), file, limits.triangles);
   throw FileError(
       fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL, VTK, glTF, 3MF, AC3D, COLLADA, FBX or 3DS, a label "

@@ -10,6 +10,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/text.h"
+#include "homolog/shape/weld.h"
 
 namespace homolog {
 namespace {
@@ -33,11 +34,6 @@ bool is_text(std::string_view content) {
   return lower(content.substr(0, 5)) == "solid" && content.substr(0, 1000).find('\0') == std::string_view::npos;
 }
 
-void append_triangle(Mesh& mesh) {
-  const auto n = static_cast<std::uint32_t>(mesh.vertices.size());
-  mesh.triangles.push_back({n - 3, n - 2, n - 1});
-}
-
 Mesh read_binary(std::string_view content, const std::string& file) {
   const std::size_t count = announced_triangles(content);
   if (content.size() >= header_bytes && content.substr(0, 1000).find('\0') == std::string_view::npos) {
@@ -50,35 +46,51 @@ Mesh read_binary(std::string_view content, const std::string& file) {
   if (content.size() - header_bytes - triangle_bytes * count >= triangle_bytes) {  // a few bytes at the end are a habit
     throw FileError(fmt::format("{}: {} triangles are announced, but the file goes on after them; export it again", file, count));
   }
-  Mesh mesh;
-  mesh.vertices.reserve(3 * count);
-  mesh.triangles.reserve(count);
+  Welder welder;
   for (std::size_t i = 0; i < count; ++i) {
     const char* bytes = content.data() + header_bytes + i * triangle_bytes + 12;
-    for (int corner = 0; corner < 3; ++corner) {
+    Triangle triangle;
+    for (std::uint32_t& corner : triangle) {
       Vec3 vertex;
       for (int axis = 0; axis < 3; ++axis, bytes += 4) vertex[axis] = std::bit_cast<float>(little_endian(bytes));
       if (!vertex.allFinite()) {
         throw FileError(fmt::format("{}, triangle {}: a coordinate is not a finite number; the file is damaged", file, i));
       }
-      mesh.vertices.push_back(vertex);
+      corner = welder.vertex_at(vertex);
     }
-    append_triangle(mesh);
+    welder.add_triangle(triangle);
   }
-  return mesh;
+  return std::move(welder.mesh);
+}
+
+/// What has been read of a text: whole triangles, and the corners of the facet that is open.
+struct Facets {
+  Welder welder;
+  Triangle corners = {};
+  std::size_t count = 0;  ///< of corners, three if the facet is right
+  bool ended = false;     ///< the last word was endsolid
+};
+
+void end_facet(Text& text, Facets& facets) {
+  if (facets.count != 3) fail(text, "a facet has not three vertices; the file is damaged");
+  facets.welder.add_triangle(facets.corners);
+  facets.count = 0;
 }
 
 // What stands in a line, which may be a whole facet. Whatever follows "solid" and "facet", a name or a normal, says nothing of the shape.
-void read_line(Text& text, std::string_view line, Mesh& mesh, bool& ended) {
+void read_line(Text& text, std::string_view line, Facets& facets) {
   for (std::string word = lower(take_word(line)); !word.empty(); word = lower(take_word(line))) {
-    ended = word == "endsolid";
+    facets.ended = word == "endsolid";
     if (word == "vertex") {
-      mesh.vertices.push_back(take_position(text, line));
-    } else if (word == "facet" || word == "endfacet" || word == "solid" || word == "endsolid") {
-      if (word == "endfacet") append_triangle(mesh);
-      if (mesh.vertices.size() != 3 * mesh.triangles.size()) fail(text, "a facet has not three vertices; the file is damaged");
-      if (word == "solid" || word == "endsolid") return;
-      if (word == "facet") line.remove_prefix(std::min(lower(line).find("outer"), line.size()));
+      const std::uint32_t vertex = facets.welder.vertex_at(take_position(text, line));
+      if (facets.count < 3) facets.corners[facets.count] = vertex;
+      ++facets.count;
+    } else if (word == "endfacet") {
+      end_facet(text, facets);
+    } else if (word == "facet" || word == "solid" || word == "endsolid") {
+      if (facets.count != 0) fail(text, "a facet has not three vertices; the file is damaged");
+      if (word != "facet") return;
+      line.remove_prefix(std::min(lower(line).find("outer"), line.size()));
     } else if (word != "outer" && word != "loop" && word != "endloop") {
       fail(text, "the line holds a word that STL does not know; the file is damaged");
     }
@@ -87,12 +99,11 @@ void read_line(Text& text, std::string_view line, Mesh& mesh, bool& ended) {
 
 Mesh read_text(std::string_view content, const std::string& file) {
   Text text{file, content};
-  Mesh mesh;
+  Facets facets;
   std::string_view line;
-  bool ended = false;
-  while (next_line(text, line)) read_line(text, line, mesh, ended);
-  if (!ended) fail(text, "the file ends before the word endsolid; it is truncated");
-  return mesh;
+  while (next_line(text, line)) read_line(text, line, facets);
+  if (!facets.ended) fail(text, "the file ends before the word endsolid; it is truncated");
+  return std::move(facets.welder.mesh);
 }
 
 }  // namespace

@@ -21,6 +21,13 @@ std::uint64_t hash_of(const Vec3& place) {
   return hash;
 }
 
+/// Where in a table of numbers the vertex at this place stands, or may be put: the table has room.
+std::uint32_t& slot_of(std::vector<std::uint32_t>& table, const std::vector<Vec3>& vertices, const Vec3& place) {
+  std::size_t slot = hash_of(place) & (table.size() - 1);
+  while (table[slot] != none && vertices[table[slot]] != place) slot = (slot + 1) & (table.size() - 1);
+  return table[slot];
+}
+
 /// Leaders in cells twice as wide as the distance: what is near a place lies in the eight cells around the corner nearest to it.
 struct LeaderTable {
   const std::vector<Vec3>& vertices;
@@ -71,32 +78,40 @@ std::vector<std::uint32_t> nearest_leader(const std::vector<Vec3>& vertices, con
 std::vector<std::uint32_t> first_equal_vertex(const std::vector<Vec3>& vertices) {
   std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), none), first(vertices.size());
   for (std::uint32_t i = 0; i < vertices.size(); ++i) {
-    std::size_t slot = hash_of(vertices[i]) & (table.size() - 1);
-    while (table[slot] != none && vertices[table[slot]] != vertices[i]) slot = (slot + 1) & (table.size() - 1);
-    if (table[slot] == none) table[slot] = i;
-    first[i] = table[slot];
+    std::uint32_t& slot = slot_of(table, vertices, vertices[i]);
+    if (slot == none) slot = i;
+    first[i] = slot;
   }
   return first;
 }
 
+std::uint32_t Welder::vertex_at(const Vec3& place) {
+  if (table_.size() <= 2 * mesh.vertices.size()) enlarge();
+  std::uint32_t& slot = slot_of(table_, mesh.vertices, place);
+  if (slot == none) {
+    slot = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.push_back(place);
+  }
+  return slot;
+}
+
+void Welder::enlarge() {
+  table_.assign(std::max<std::size_t>(1024, 2 * table_.size()), none);
+  for (std::uint32_t i = 0; i < mesh.vertices.size(); ++i) slot_of(table_, mesh.vertices, mesh.vertices[i]) = i;
+}
+
+void Welder::add_triangle(const Triangle& triangle) {
+  const auto& [a, b, c] = triangle;
+  if (a != b && b != c && c != a) mesh.triangles.push_back(triangle);
+}
+
 Mesh weld(const Mesh& mesh) {
-  const std::vector<std::uint32_t> first = first_equal_vertex(mesh.vertices);
-  std::vector<std::uint32_t> number(mesh.vertices.size());
-  Mesh welded;
-  for (std::uint32_t i = 0; i < first.size(); ++i) {
-    if (first[i] == i) {
-      number[i] = static_cast<std::uint32_t>(welded.vertices.size());
-      welded.vertices.push_back(mesh.vertices[i]);
-    } else {
-      number[i] = number[first[i]];
-    }
-  }
-  for (const auto& [a, b, c] : mesh.triangles) {
-    if (number[a] != number[b] && number[b] != number[c] && number[c] != number[a]) {
-      welded.triangles.push_back({number[a], number[b], number[c]});
-    }
-  }
-  return welded;
+  Welder welder;
+  std::vector<std::uint32_t> number;
+  number.reserve(mesh.vertices.size());
+  for (const Vec3& vertex : mesh.vertices) number.push_back(welder.vertex_at(vertex));
+  for (const auto& [a, b, c] : mesh.triangles) welder.add_triangle({number[a], number[b], number[c]});
+  return std::move(welder.mesh);
 }
 
 }  // namespace homolog
