@@ -71,6 +71,16 @@ TEST(CloudSurface, TurnsNormalsThatAllFaceInward) {
   EXPECT_NEAR(meshes::volume(cloud_surface(cloud, "the cloud")) / meshes::volume(outward), 1, 1e-9);
 }
 
+TEST(CloudSurface, MendsNormalsThatLookAwayFromTheirNeighbours) {
+  const PointCloud right = clouds::sampled(capsule(), 2000);
+  const double volume = meshes::volume(cloud_surface(right, "the cloud"));
+  for (const std::size_t one_of : {1000, 50, 20, 10}) {
+    PointCloud cloud = right;
+    for (std::size_t i = 0; i < cloud.normals.size(); i += one_of) cloud.normals[i] *= -1;
+    EXPECT_NEAR(meshes::volume(cloud_surface(cloud, "the cloud")) / volume, 1, 0.01) << one_of;
+  }
+}
+
 TEST(CloudSurface, IsOpenWhereNoPointIsNear) {
   PointCloud cloud = clouds::sampled(capsule(), 1000), part;
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {

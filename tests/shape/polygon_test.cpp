@@ -58,6 +58,21 @@ TEST(Polygon, StarsAndLargePolygonsWork) {
   EXPECT_NEAR(areas(triangulated(circle)).first, M_PI, 1e-5);
 }
 
+/// Between two zigzags that mesh like teeth, every second corner is turned in.
+std::vector<Vec3> comb(int corners) {
+  std::vector<Vec3> outline;
+  for (int i = 0; i < corners / 2; ++i) outline.emplace_back(i, i % 2, 0);
+  for (int i = corners / 2 - 1; i >= 0; --i) outline.emplace_back(i, i % 2 + 0.5, 0);
+  return outline;
+}
+
+TEST(Polygon, CombsAreFilledOnceAndHugeOnesSoonWithTheSameWinding) {
+  const auto [absolute, along_z] = areas(triangulated(comb(500)));
+  EXPECT_NEAR(absolute, along_z, 1e-9);
+  EXPECT_NEAR(along_z, 249 * 0.5, 1e-9);
+  EXPECT_NEAR(areas(triangulated(comb(40000))).second, 19999 * 0.5, 1e-6);
+}
+
 TEST(Polygon, PointsAndLinesAddNothing) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
   for (const std::vector<std::uint32_t>& corners : {std::vector<std::uint32_t>{}, {0}, {0, 1}, {0, 0, 1}, {0, 1, 1, 0}}) {

@@ -176,7 +176,7 @@ double affine_free_bending(const CorrespondenceSet& S, double model_diagonal) {
 
 GrownSets grow_quadruples(const std::vector<Correspondence>& candidates, double model_diagonal, const PaperParams& params) {
   const Quadruples seeds = find_quadruples(candidates, params.quadruples, params);
-  GrownSets result{{}, seeds.cliques, seeds.consistent, 0, true};
+  GrownSets result{{}, seeds.consistent, 0, true};
   const Candidates prepared = prepare(candidates, model_diagonal);
   std::vector<CorrespondenceSet> found;
   Work work;

@@ -14,9 +14,8 @@ namespace homolog {
 
 struct GrownSets {
   std::vector<CorrespondenceSet> sets;  ///< largest first, then by the score of their quadruple; none is part of another
-  long cliques = 0;                     ///< cliques of four among the candidates
   long quadruples = 0;                  ///< consistent ones (App. A, B)
-  long grown = 0;                       ///< quadruples that were grown
+  long grown = 0;                       ///< those that were not part of a set already
   bool complete = true;                 ///< false when a budget cut a search short
 };
 

@@ -99,7 +99,7 @@ Quadruples find_quadruples(const std::vector<Correspondence>& candidates, std::s
     if (score > 0) scored.emplace_back(-score, i);
   }
   std::sort(scored.begin(), scored.end());
-  Quadruples result{{}, static_cast<long>(found.cliques.size()), static_cast<long>(scored.size()), found.complete};
+  Quadruples result{{}, static_cast<long>(scored.size()), found.complete};
   scored.resize(std::min(scored.size(), most));
   for (const auto& [cost, i] : scored) result.best.push_back({quadruple(found.cliques[i]), -cost});
   return result;

@@ -22,8 +22,7 @@ struct Quadruple {
 
 struct Quadruples {
   std::vector<Quadruple> best;  ///< best first, at most as many as asked for
-  long cliques = 0;             ///< cliques of four in the graph of candidates
-  long consistent = 0;          ///< those with a score above 0
+  long consistent = 0;          ///< cliques of four candidates with a score above 0
   bool complete = true;         ///< false when there were more cliques than the search may visit
 };
 

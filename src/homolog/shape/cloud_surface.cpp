@@ -12,6 +12,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/base/parallel.h"
+#include "homolog/shape/agreeing_normals.h"
 #include "homolog/shape/mesh_pieces.h"
 #include "homolog/shape/nearest_points.h"
 #include "homolog/shape/settle_by_winding.h"
@@ -62,6 +63,7 @@ void turn_outward(PointCloud& cloud, const std::vector<double>& areas) {
 Splats make_splats(PointCloud cloud, const Vec3& corner, double spacing, const Vec3& extent) {
   for (Vec3& point : cloud.points) point = (point - corner) / spacing + Vec3::Constant(margin);
   Splats splats{thinned(cloud, 1), {}, {}};
+  turn_overruled(splats.cloud);
   splats.areas = point_areas(splats.cloud);
   turn_outward(splats.cloud, splats.areas);
   Mesh triangles = triangles_about(splats.cloud, splats.areas);
@@ -85,10 +87,19 @@ double closedness(const Splats& splats, const WindingNumber& winding) {
   return std::accumulate(turns.begin(), turns.end(), 0.0) / static_cast<double>(asked);
 }
 
-Mesh voxel_surface(const Splats& splats) {
+std::vector<float> coverage_of(const Splats& splats, const std::string& file) {
   const std::size_t voxels = splats.surface.voxels();
   std::vector<float> coverage(voxels, 0);
-  settle_by_winding(splats.surface, std::vector<std::uint8_t>(voxels, 1), coverage);
+  try {
+    settle_by_winding(splats.surface, std::vector<std::uint8_t>(voxels, 1), coverage);
+  } catch (const ShapeError&) {
+    throw FileError(fmt::format(
+        "{}: its points fill the room so loosely that their inside would take minutes; smooth the cloud, or thin it out", file));
+  }
+  return coverage;
+}
+
+Mesh voxel_surface(const Splats& splats, const std::vector<float>& coverage) {
   Mesh mesh = surface_nets({splats.surface.size,
                             [&](int z, std::vector<float>& slice) {
                               const auto first = coverage.begin() + static_cast<std::ptrdiff_t>(slice.size()) * z;
@@ -148,7 +159,7 @@ Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels) 
                     "MeshLab, CloudCompare or Open3D, say), and scan the shape from all sides",
                     file, 100 * std::max(0.0, closed)));
   }
-  Mesh mesh = voxel_surface(splats);
+  Mesh mesh = voxel_surface(splats, coverage_of(splats, file));
   move_to_half(mesh, winding);
   mesh = without_specks(kept_triangles(mesh, near_points(mesh.vertices, splats)), speck);
   if (mesh.triangles.empty())

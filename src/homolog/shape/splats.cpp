@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "homolog/base/parallel.h"
+#include "homolog/shape/agreeing_normals.h"
 #include "homolog/shape/nearest_points.h"
 
 namespace homolog {
@@ -42,6 +43,19 @@ std::vector<Place> sorted_places(const PointCloud& cloud, double cell) {
   }
   std::sort(places.begin(), places.end());
   return places;
+}
+
+/// Past the last place with the cell and side of this one.
+std::size_t end_of_group(const std::vector<Place>& places, std::size_t first) {
+  std::size_t last = first;
+  while (last < places.size() && places[last].cell == places[first].cell && places[last].side == places[first].side) ++last;
+  return last;
+}
+
+/// Whether the groups that begin at these places lie in one cell and look to opposite sides; the second follows the first.
+bool is_opposite(const std::vector<Place>& places, std::size_t first, std::size_t second) {
+  return second < places.size() && first < second && places[first].cell == places[second].cell && places[first].side % 2 == 0 &&
+         places[second].side == places[first].side + 1;
 }
 
 /// Keeps of a convex polygon what is nearer to the origin than to q.
@@ -87,11 +101,15 @@ PointCloud thinned(const PointCloud& cloud, double cell) {
   PointCloud thin;
   if (cloud.points.empty()) return thin;
   const std::vector<Place> places = sorted_places(cloud, cell);
-  for (std::size_t first = 0, last = 0; first < places.size(); first = last) {
+  std::size_t before = 0;  // where the group before begins
+  for (std::size_t first = 0, last = 0; first < places.size(); before = first, first = last) {
+    last = end_of_group(places, first);
+    if (is_opposite(places, before, first) && first - before >= overruled_by * (last - first)) continue;
+    if (is_opposite(places, first, last) && end_of_group(places, last) - last >= overruled_by * (last - first)) continue;
     Vec3 point = Vec3::Zero(), normal = Vec3::Zero();
-    for (; last < places.size() && places[last].cell == places[first].cell && places[last].side == places[first].side; ++last) {
-      point += cloud.points[places[last].number];
-      normal += cloud.normals[places[last].number].stableNormalized();
+    for (std::size_t i = first; i < last; ++i) {
+      point += cloud.points[places[i].number];
+      normal += cloud.normals[places[i].number].stableNormalized();
     }
     thin.points.push_back(point / static_cast<double>(last - first));
     thin.normals.push_back(normal.normalized());

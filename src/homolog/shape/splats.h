@@ -8,7 +8,8 @@
 namespace homolog {
 
 /// Fewer points, none nearer to another than about `cell` where their normals agree: the means of those in a cubic cell whose normals point
-/// the same way along the same axis, with unit normals. Scans that overlap become one, and noise less.
+/// the same way along the same axis, with unit normals. Scans that overlap become one, noise less, and few points among many that look the
+/// other way are left out.
 PointCloud thinned(const PointCloud& cloud, double cell);
 
 /// How much of the surface every point stands for: its Voronoi cell in its tangent plane among its nearest points, those that lie on the
