@@ -102,6 +102,7 @@ TEST(CloudSurface, RefusesWhatHasNoInside) {
   PointCloud sheet = clouds::sampled(meshes::box({0, 0, 0}, {4, 1, 1}), 1000);
   for (std::size_t i = 0; i < sheet.points.size(); ++i) sheet.points[i].z() = 0, sheet.normals[i] = Vec3::UnitZ();
   expect_refusal(sheet, "the points enclose 0 %");
+  expect_refusal(clouds::sampled(capsule(), 30), "30 points, where they differ, are too few");
   expect_refusal({{{1, 1, 1}}, {{0, 0, 1}}}, "no extent");
   expect_refusal({{{-1e308, 0, 0}, {1e308, 0, 0}}, {{-1, 0, 0}, {1, 0, 0}}}, "too large for numbers");
 }

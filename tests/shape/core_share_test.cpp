@@ -36,6 +36,8 @@ TEST(CoreShare, IsWhatIsLeftWithoutAStrayTriangle) {
 
 TEST(CoreShare, IsAskedOfTheAreaAndNotOfTheTriangles) { EXPECT_GT(core_share(with_stray(meshes::sphere(4), Vec3::Constant(9), 1)), 0.9); }
 
+TEST(CoreShare, OfOneTriangleIsOne) { EXPECT_GT(core_share({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(0, 1, 0)}, {{0, 1, 2}}}), 0.99); }
+
 TEST(CoreShare, OfNoAreaIsOne) { EXPECT_EQ(core_share({{Vec3(0, 0, 0), Vec3(1, 0, 0), Vec3(2, 0, 0)}, {{0, 1, 2}}}), 1); }
 
 TEST(CoreShare, IsToldWhereTheRestIsTooSmallToHaveAnInside) {

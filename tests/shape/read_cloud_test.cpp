@@ -56,13 +56,23 @@ TEST_F(ReadCloud, AnXyzIsReadStrictly) {
   EXPECT_EQ(cloud.points, (std::vector<Vec3>{{1, 2, 3}}));
   expect_error("a.xyz", "1 2 3 0 0 1\n1 2 3\n", "a.xyz, line 2: points without normals do not tell an inside");
   expect_error("b.txt", "1 2 3\n", "points without normals");
-  expect_error("a.xyz", "1 2 3 0 0 1 255 255 255\n", "six columns x y z nx ny nz, but has 9");
+  expect_error("a.xyz", "1 2 3 0 0 1 255 255 255\n", "six columns x y z nx ny nz with blanks between them, but has 9");
   expect_error("a.xyz", "1 2 3 255 128 0\n", "a normal of length 1, but have the length 285");
   expect_error("a.xyz", "1 2 3 0 0 0\n", "points without normals");
   expect_error("a.xyz", "1 2 nan 0 0 1\n", "'nan' is not a finite number");
   expect_error("a.xyz", "1 2 3 0 0 1e999\n", "is not a finite number");
-  expect_error("a.xyz", "3\n1 2 3 0 0 1\n", "but has 1");
+  expect_error("a.xyz", "1;2;3;0;0;1\n", "with blanks between them, but has 1");
+  expect_error("a.xyz", "3\n1 2 3 0 0 1\n", "line 2: 3 points are announced in the first line, but 1 follow");
   expect_error("a.txt", "x y z nx ny nz\n", "is not known");
+}
+
+TEST_F(ReadCloud, AnXyzMayBeginWithACountOrTheNamesOfColumns) {
+  for (const char* head : {"", "2\n", " 2 \r\n", "//X Y Z Nx Ny Nz\n", "//X Y Z Nx Ny Nz\n2\n"}) {
+    const std::string text = std::string(head) + "1 2 3 0 0 1\n4 5 6 0 0 0\n";
+    EXPECT_TRUE(is_xyz(text)) << head;
+    EXPECT_EQ(read_xyz(text, "a.xyz").points, (std::vector<Vec3>{{1, 2, 3}})) << head;
+  }
+  EXPECT_FALSE(is_xyz("99999999999999999999\n1 2 3\n"));
 }
 
 TEST_F(ReadCloud, MorePointsThanAllowedAreRefused) {

@@ -29,6 +29,8 @@ TEST_F(ReadOff, KnowsTheFormatsVariants) {
 
 TEST_F(ReadOff, RefusesDamagedFiles) {
   expect_error("a.off", "# nothing\n", "empty");
+  expect_error("a.off", tetrahedron + "3 0 1 2\n", "faces are announced, but the file goes on after them");
+  expect_error("a.off", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "not every vertex has a line of its own");
   expect_error("a.off", "OFF\n", "ends before");
   expect_error("a.off", "OFF BINARY\n1 2 3\n", "binary");
   expect_error("a.off", "4OFF\n1 0 0\n0 0 0 0\n", "not supported");

@@ -117,6 +117,10 @@ TEST_F(ReadPly, RefusesDamagedBodies) {
   expect_error("a.ply", start + "0 0 0\n1 0 0\n0 1 0\n9999999 0 1 2\n", "line 13: a list of 9999999 items does not fit");
   expect_error("a.ply", start + "0 0 0\n1 0 0\n0 1 0\n-3 0 1 2\n", "line 13: a list of -3 items does not fit");
   expect_error("a.ply", start + "0 0 0\n1 0 0\n0 1 0\n0     \n", "no triangles");
+  expect_error("a.ply",
+               "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nelement face 1\n"
+               "property list uchar int corners\nend_header\n0 0 0\n1 0\n",
+               "have no list vertex_indices");
   std::string file = binary_file(std::endian::little);
   const double not_finite = INFINITY;
   std::memcpy(file.data() + file.find("end_header\n") + 11 + 28, &not_finite, sizeof(double));

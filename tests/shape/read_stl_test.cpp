@@ -84,6 +84,9 @@ TEST_F(ReadStl, FacetsMayStandInOneLine) {
   }
   EXPECT_NEAR(meshes::volume(read("a.stl", text)), 6, 1e-12);
   EXPECT_NEAR(meshes::volume(read("b.stl", text + text)), 12, 1e-12) << "two solids, each with a name";
+  std::string line = text + text;
+  std::replace(line.begin(), line.end(), '\n', ' ');
+  EXPECT_NEAR(meshes::volume(read("c.stl", line)), 12, 1e-12) << "all in one line";
 }
 
 TEST_F(ReadStl, RefusesToForgetTrianglesThatAreNotCounted) {

@@ -24,13 +24,14 @@
 namespace homolog {
 namespace {
 
-constexpr int most_voxels = 256;      // along the longest side; about as many as shapes are described with
-constexpr double voxels_a_root = 4;   // of the number of points, so that the share of a point is several voxels
-constexpr int margin = 2;             // voxels
-constexpr int rounds = 2;             // of smoothing
-constexpr int halvings = 4;           // of a voxel, which is how far a vertex may go
-constexpr double beside = 0.25;       // sides of a splat: where to look before and behind it
-constexpr double least_closed = 0.4;  // a half ball has .55, a flat sheet 0
+constexpr int most_voxels = 256;           // along the longest side; about as many as shapes are described with
+constexpr double voxels_a_root = 4;        // of the number of points, so that the share of a point is several voxels
+constexpr int margin = 2;                  // voxels
+constexpr int rounds = 2;                  // of smoothing
+constexpr int halvings = 4;                // of a voxel, which is how far a vertex may go
+constexpr double beside = 0.25;            // sides of a splat: where to look before and behind it
+constexpr double least_closed = 0.4;       // a half ball has .55, a flat sheet 0
+constexpr std::size_t least_splats = 100;  // of fewer the surface is a guess that depends on each of them
 constexpr std::size_t most_asked = 20000;
 constexpr double near = 2, near_sides = 3, far = 0.6;  // voxels, mean sides of a splat, and shares of the way to the last neighbour
 constexpr std::size_t neighbours = 24;
@@ -158,6 +159,10 @@ Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels) 
         fmt::format("{}: the points enclose {:.0f} % of the room that a closed surface would; orient their normals outward (in "
                     "MeshLab, CloudCompare or Open3D, say), and scan the shape from all sides",
                     file, 100 * std::max(0.0, closed)));
+  }
+  if (splats.areas.size() < least_splats) {
+    throw FileError(fmt::format("{}: {} points, where they differ, are too few to tell a surface; scan more of them, {} at least", file,
+                                splats.areas.size(), least_splats));
   }
   Mesh mesh = voxel_surface(splats, coverage_of(splats, file));
   move_to_half(mesh, winding);

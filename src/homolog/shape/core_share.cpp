@@ -23,7 +23,10 @@ std::size_t outside(Slice slice, double area) {
   return count;
 }
 
-double area_of(const Vec3& a, const Vec3& b, const Vec3& c) { return 0.5 * (b - a).cross(c - a).norm(); }
+double area_of(const Mesh& mesh, const Triangle& triangle) {
+  const Vec3& a = mesh.vertices[triangle[0]];
+  return 0.5 * (mesh.vertices[triangle[1]] - a).cross(mesh.vertices[triangle[2]] - a).norm();
+}
 
 }  // namespace
 
@@ -31,12 +34,14 @@ double core_share(const Mesh& mesh) {
   const Box box = bounding_box(mesh);
   const Vec3 extent = box.max - box.min;
   std::array<Areas, 3> areas{};
-  for (const auto& [i, j, k] : mesh.triangles) {
-    const Vec3 &a = mesh.vertices[i], &b = mesh.vertices[j], &c = mesh.vertices[k];
-    const Vec3 middle = ((a + b + c) / 3 - box.min) * static_cast<double>(slices);
-    for (int axis = 0; axis < 3; ++axis) {
-      const double slice = extent[axis] > 0 ? middle[axis] / extent[axis] : 0;
-      areas[axis][std::min(static_cast<std::size_t>(std::max(slice, 0.0)), slices - 1)] += area_of(a, b, c);
+  for (const Triangle& triangle : mesh.triangles) {
+    const double third = area_of(mesh, triangle) / 3;
+    for (const std::uint32_t corner : triangle) {
+      const Vec3 place = static_cast<double>(slices) * (mesh.vertices[corner] - box.min);
+      for (int axis = 0; axis < 3; ++axis) {
+        const double slice = extent[axis] > 0 ? place[axis] / extent[axis] : 0;
+        areas[axis][std::min(static_cast<std::size_t>(slice), slices - 1)] += third;
+      }
     }
   }
   Vec3 core;

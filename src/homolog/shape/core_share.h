@@ -8,7 +8,7 @@
 
 namespace homolog {
 
-/// The diagonal of the box that keeps all but the outermost half per cent of the area (triangles at their middles) on each of its six
+/// The diagonal of the box that keeps all but the outermost half per cent of the area (a third at each corner) on each of its six
 /// sides, over the diagonal of the bounding box: 0 to 1, to a thousandth. 1 where the surface has no area. Throws ShapeError for a mesh
 /// without triangles.
 double core_share(const Mesh& mesh);

@@ -55,8 +55,8 @@ std::size_t read_length(PlySource& source, const PlyProperty& property) {
 void begin_element(PlySource& source, const PlyElement& element, std::size_t number) {
   if (source.header.encoding == PlyEncoding::ascii) {
     if (!next_data_line(source.text, source.line)) {
-      fail(source.text,
-           fmt::format("the file ends after {} of {} times element {}; it is truncated", number, element.count, shown(element.name)));
+      fail(source.text, fmt::format("the file ends after {} of {} times element {}; it is truncated, or not each has a line of its own",
+                                    number, element.count, shown(element.name)));
     }
   } else {
     source.place = fmt::format("{} {}", shown(element.name), number);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "homolog/base/errors.h"
@@ -32,6 +33,10 @@ namespace homolog {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Of formats that are known by what is in them.
+constexpr std::array<std::string_view, 12> known_extensions{".ac",  ".dae", ".fbx",  ".3ds",  ".vtk", ".vtp",
+                                                            ".xyz", ".nii", ".nrrd", ".nhdr", ".mha", ".mhd"};
 
 void check_read(const Mesh& mesh, const std::string& file, std::size_t most_triangles) {
   if (mesh.triangles.empty())
@@ -84,6 +89,10 @@ Mesh read_content(const fs::path& path, std::string_view content, const ReadLimi
   if (extension == ".ply") return read_ply(content, file);
   if (extension == ".stl") return read_stl(content, file);
   if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, file), file, limits.triangles);
+  if (std::find(known_extensions.begin(), known_extensions.end(), extension) != known_extensions.end()) {
+    throw FileError(
+        fmt::format("{}: it does not begin as {} files do; it is damaged or of another format, export it again", file, extension));
+  }
   throw FileError(
       fmt::format("{}: the format '{}' is not known; save a mesh as OFF, OBJ, PLY, STL, VTK, glTF, 3MF, AC3D, COLLADA, FBX or 3DS, a label "
                   "volume as .nii, .nii.gz, .nrrd or .mha, or a point cloud with normals as PLY or .xyz",

@@ -32,7 +32,8 @@ Counts read_header(Text& text) {
   counts.faces = take_integer(text, line, "the number of faces");
   const auto left = static_cast<long long>(text.rest.size());
   if (counts.vertices < 0 || counts.faces < 0 || counts.vertices > left / 5 || counts.faces > left / 3) {  // a line "0 0 0" or "1 0"
-    fail(text, fmt::format("{} vertices and {} faces are announced, but the file is too short for them; it is truncated or damaged",
+    fail(text, fmt::format("{} vertices and {} faces are announced, but the rest of the file is too short for them; it is truncated, or "
+                           "not every vertex and face has a line of its own",
                            counts.vertices, counts.faces));
   }
   return counts;
@@ -70,12 +71,19 @@ Mesh read_off(std::string_view content, const std::string& file) {
   mesh.vertices.reserve(static_cast<std::size_t>(counts.vertices));
   std::string_view line;
   for (long long i = 0; i < counts.vertices; ++i) {
-    if (!next_data_line(text, line)) fail(text, fmt::format("the file ends after {} of {} vertices; it is truncated", i, counts.vertices));
+    if (!next_data_line(text, line))
+      fail(text, fmt::format("the file ends after {} of {} vertices; it is truncated, or not every vertex has a line of its own", i,
+                             counts.vertices));
     mesh.vertices.push_back(take_position(text, line));
   }
   for (long long i = 0; i < counts.faces; ++i) {
-    if (!next_data_line(text, line)) fail(text, fmt::format("the file ends after {} of {} faces; it is truncated", i, counts.faces));
+    if (!next_data_line(text, line))
+      fail(text, fmt::format("the file ends after {} of {} faces; it is truncated, or not every vertex and face has a line of its own", i,
+                             counts.faces));
     read_face(text, line, mesh);
+  }
+  if (next_data_line(text, line)) {
+    fail(text, fmt::format("{} faces are announced, but the file goes on after them; export it again", counts.faces));
   }
   return mesh;
 }

@@ -35,14 +35,21 @@ void read_vertices(PlySource& source, const PlyElement& element, Mesh& mesh) {
   }
 }
 
+bool are_corners(const PlyProperty& property) {
+  return property.count_type != NumberType::none && (property.name == "vertex_indices" || property.name == "vertex_index");
+}
+
 void read_faces(PlySource& source, const PlyElement& element, Mesh& mesh) {
   if (element.count > 0 && mesh.vertices.empty()) {
     fail(source.text, "the faces stand before the vertices, which is not read; save it with the vertices first");
   }
+  if (element.count > 0 && std::none_of(element.properties.begin(), element.properties.end(), are_corners)) {
+    fail(source.text, "the faces have no list vertex_indices; name the list of their corners so in the header, or export it again");
+  }
   for (std::size_t i = 0; i < element.count; ++i) {
     begin_element(source, element, i);
     for (const PlyProperty& property : element.properties) {
-      if (property.count_type == NumberType::none || (property.name != "vertex_indices" && property.name != "vertex_index")) {
+      if (!are_corners(property)) {
         skip_property(source, property);
         continue;
       }

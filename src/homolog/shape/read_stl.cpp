@@ -77,7 +77,16 @@ void end_facet(Text& text, Facets& facets) {
   facets.count = 0;
 }
 
-// What stands in a line, which may be a whole facet. Whatever follows "solid" and "facet", a name or a normal, says nothing of the shape.
+/// Takes words off a line until this one is taken, or all.
+void skip_to(std::string_view& line, std::string_view last) {
+  std::string_view word;
+  do {
+    word = take_word(line);
+  } while (!word.empty() && lower(word) != last);
+}
+
+// What stands in a line, which may be a whole facet or solid. Whatever follows "solid" and "facet", a name or a normal, says nothing of the
+// shape.
 void read_line(Text& text, std::string_view line, Facets& facets) {
   for (std::string word = lower(take_word(line)); !word.empty(); word = lower(take_word(line))) {
     facets.ended = word == "endsolid";
@@ -89,8 +98,9 @@ void read_line(Text& text, std::string_view line, Facets& facets) {
       end_facet(text, facets);
     } else if (word == "facet" || word == "solid" || word == "endsolid") {
       if (facets.count != 0) fail(text, "a facet has not three vertices; the file is damaged");
-      if (word != "facet") return;
-      line.remove_prefix(std::min(lower(line).find("outer"), line.size()));
+      if (word == "endsolid") skip_to(line, "solid");
+      if (word != "facet") skip_to(line, "facet");
+      skip_to(line, "outer");
     } else if (word != "outer" && word != "loop" && word != "endloop") {
       fail(text, "the line holds a word that STL does not know; the file is damaged");
     }

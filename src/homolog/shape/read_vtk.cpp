@@ -205,7 +205,7 @@ Mesh read_vtk(std::string_view content, const std::string& file) {
   next_line(source.text, title);
   const std::string_view encoding = next_word(source);
   source.binary = encoding == "BINARY";
-  if (!source.binary && encoding != "ASCII") fail(source.text, "this line must say ASCII or BINARY; the file is damaged");
+  if (!source.binary && encoding != "ASCII") fail(source.text, "this line must say ASCII or BINARY, in capitals; the file is damaged");
   if (next_word(source) != "DATASET") fail(source.text, "the word DATASET is missing; the file is damaged");
   const std::string_view kind = take_word(source.line);
   if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID") {

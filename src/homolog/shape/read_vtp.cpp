@@ -84,7 +84,7 @@ class Reader {
       for (const auto& [kind, key] : counts) vtp.pieces.back().cells.emplace(kind, number_of(element, key, file));
     }
     if (element.name == "DataArray" && !vtp.pieces.empty() && !parents_.empty()) add_array(element);
-    if (element.name == "Array" && element.attribute("Name") == "SPACE" && parents_.back() == "FieldData") {
+    if (element.name == "Array" && element.attribute("Name") == "SPACE" && !parents_.empty() && parents_.back() == "FieldData") {
       open(element, vtp.space.emplace(VtkArray{NumberType::int8, {}}));
     }
     parents_.emplace_back(element.name);

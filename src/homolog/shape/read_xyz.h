@@ -9,11 +9,12 @@
 
 namespace homolog {
 
-/// Whether the first line that is neither empty nor a # comment holds three numbers or more and nothing else.
+/// Whether the first line that is neither empty, nor a # or // comment, nor a count of points holds three numbers or more and nothing else.
 bool is_xyz(std::string_view content);
 
-/// The points in the text of an XYZ file: lines of x y z nx ny nz between blanks, # comments, normals of unit length; points with a zero
-/// normal are left out. `file` is its name for messages. Throws FileError (no normals, malformed, non-finite numbers).
+/// The points in the text of an XYZ file: lines of x y z nx ny nz between blanks, # and // comments, before them the number of points or
+/// not, normals of unit length; points with a zero normal are left out. `file` is its name for messages. Throws FileError (no normals,
+/// malformed, non-finite numbers).
 PointCloud read_xyz(std::string_view content, const std::string& file);
 
 }  // namespace homolog
