@@ -17,7 +17,7 @@ Target vtp() {
   return {
       "vtp",
       {vtk::vtp({.ascii = true}), vtk::vtp({.encoded = true}), vtk::vtp({false, true, false, false}), vtk::vtp({false, true, true, true}),
-       vtk::vtp({false, true, false, true, std::endian::big}, "RAS"), "<Array type=\"String\" Name=\"SPACE\"><VTKFile/></Array>"},
+       vtk::vtp({false, true, false, true, std::endian::big}, "RAS"), "<Array type=\"String\" Name=\"SPACE\"><VTKFile type=\"PolyData\"/></Array>"},
       [](const std::string& bytes) {
         run_mesh_reader([](const std::string& content, const std::string& file) { return read_vtp(content, file, most_triangles); }, bytes);
       }};

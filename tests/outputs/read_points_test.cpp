@@ -56,6 +56,11 @@ TEST(ReadPointsCsv, TakesCapitalsAndSemicolons) {
   EXPECT_THAT(csv_message("x;y;z\n1,5;2;3\n"), HasSubstr("save it with a decimal point"));
 }
 
+TEST(ReadPointsCsv, TakesNamesForLabelsWhereThereAreNone) {
+  EXPECT_EQ(read_points_csv("name,x,y,z\nnose,1,2,3\n", "a.csv")[0].label, "nose");
+  EXPECT_EQ(read_points_csv("name,x,y,z,label\nnose,1,2,3,N\n", "a.csv")[0].label, "N");
+}
+
 TEST(ReadPointsCsv, TakesColumnsInAnyOrderQuotesAndMissingPoints) {
   const auto points =
       read_points_csv("\xef\xbb\xbfz,label,extra,y,x\r\n3,\"a, \"\"b\"\"\",?,2,1\r\n\r\n,nose,,,\nNA,ear,,NA,NA\n", "a.csv");

@@ -45,6 +45,13 @@ TEST(Tps, ReadsCollectionsWithCurvesScalesAndWhatElseThereIs) {
   EXPECT_EQ(specimens[1].points.size(), 1u);
 }
 
+TEST(Tps, ReadsCurvesThatSayTheyAreOfThree) {
+  const auto specimens = read_tps("LM3=1\n1 2 3\nCURVES3=1\nPOINTS3=1\n4 5 6\nID=a\n", "a.tps");
+  ASSERT_EQ(specimens.size(), 1u);
+  ASSERT_EQ(specimens[0].points.size(), 2u);
+  EXPECT_EQ(specimens[0].points[1].label, "C1.1");
+}
+
 TEST(Tps, NamesTheLineOfAnError) {
   EXPECT_THAT(message("\n"), HasSubstr("a.tps, line 1: the file holds no LM3="));
   EXPECT_THAT(message("ID=a\nLM3=0\n"), HasSubstr("line 1: a specimen begins with LM3="));

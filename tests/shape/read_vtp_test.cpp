@@ -68,7 +68,7 @@ TEST_F(ReadVtp, RefusesWhatItDoesNotRead) {
   expect_error("a.vtp", with(text, "PolyData", "ImageData"), "of the type ImageData, which is not read");
   expect_error("a.vtp", with(packed, "vtkZLib", "vtkLZ4"), "compressed by vtkLZ4DataCompressor");
   expect_error("a.vtp", with(text, "Float32", "String"), "'String' are not read");
-  expect_error("a.vtp", "<?xml version=\"1.0\"?><Array Name=\"SPACE\"><VTKFile/></Array>", "no triangles");
+  expect_error("a.vtp", "<?xml version=\"1.0\"?><Array Name=\"SPACE\"><VTKFile type=\"PolyData\"/></Array>", "no triangles");
 }
 
 TEST_F(ReadVtp, RefusesDamagedFiles) {

@@ -15,6 +15,7 @@
 #include "homolog/outputs/read_fcsv.h"
 #include "homolog/outputs/specimen.h"
 #include "homolog/outputs/tps.h"
+#include "homolog/outputs/utf8_text.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -35,9 +36,11 @@ Columns read_header(Text& text, std::string_view line) {
   const auto find = [&](const char* name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
   Columns columns{{find("x"), find("y"), find("z")}, {}, names.size(), separator};
   if (std::max({columns.position[0], columns.position[1], columns.position[2]}) == names.size()) {
-    fail(text, "the header must name the columns x, y and z (and label), separated by commas or semicolons");
+    fail(text, "the header must name the columns x, y and z (and label or name), separated by commas or semicolons");
   }
-  if (find("label") < names.size()) columns.label = find("label");
+  for (const char* name : {"name", "label"}) {
+    if (find(name) < names.size()) columns.label = find(name);
+  }
   return columns;
 }
 
@@ -79,15 +82,15 @@ std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::
 
 std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen, bool ras) {
   const std::string extension = lower_extension(path), file = path.string();
-  if (extension == ".tps") return chosen_specimen(read_tps(read_file(path), file), specimen, file).points;
-  if (extension == ".txt") return chosen_specimen(read_morphologika(read_file(path), file), specimen, file).points;
+  if (extension == ".tps") return chosen_specimen(read_tps(utf8_text(read_file(path)), file), specimen, file).points;
+  if (extension == ".txt") return chosen_specimen(read_morphologika(utf8_text(read_file(path)), file), specimen, file).points;
   const auto read = reader_of(extension);
   check_file(path);
   if (read == nullptr) {
     throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
   }
   if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave 'specimen' out", file));
-  std::vector<MarkupPoint> points = read(read_file(path), file);
+  std::vector<MarkupPoint> points = read(utf8_text(read_file(path)), file);
   if (ras && (read == read_markups || read == read_fcsv)) turn_to_ras(points);
   return points;
 }

@@ -31,6 +31,7 @@ Entry split_entry(Text& text, std::string_view line) {
   std::string_view before = line.substr(0, equals);
   std::string key(take_word(before));
   std::transform(key.begin(), key.end(), key.begin(), [](unsigned char c) { return std::toupper(c); });
+  if (key == "CURVES3" || key == "POINTS3") key.pop_back();  // as some write beside LM3=
   return {key, line.substr(equals + 1)};
 }
 
