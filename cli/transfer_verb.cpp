@@ -47,6 +47,8 @@ constexpr const char* kExamples = R"(Examples:
   homolog transfer bears/match.json --mesh bear.off --out bent.ply
   # The colours, values and labels of a painted copy of the first bear, onto the mesh of the second
   homolog transfer bears/match.json --attributes painted.ply --onto bear_bis.off --out painted_bis.ply
+  # The same without holes (what has no place gets what is nearest), its field 'part' taken for labels
+  homolog transfer bears/match.json --attributes painted.ply --onto bear_bis.off --fill --labels part --out filled_bis.ply
   # Its UVs and materials, onto the mesh beside the match: the .obj, its .mtl and its pictures
   homolog transfer bears/match.json --attributes painted.obj --out painted_bis.obj
   # All that a rigged .glb holds: materials, skin weights with the skeleton, shape keys
@@ -60,9 +62,9 @@ a .ply it is a property of the vertices beside quality, how surely they are cove
 --attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
 triangle's corners, a label is the nearest corner's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
 has no place there is told and counted: in a .ply its property 'carried' is 0, in an .obj its material is 'not_carried', in a .glb it has
-none. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the surface about them, and keep
-their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has, and keys fade there.
-Joints turn in their parents as the giver's do over time, so animations show the giver's poses.
+none; --fill leaves nothing so marked. The skeleton is carried in the pose in which the mesh was bound to it; joints turn and move with the
+surface about them, and keep their names. Shape keys turn and scale with it. What has no place follows the joints of the nearest that has,
+and keys fade there. Joints turn in their parents as the giver's do over time, so animations show the giver's poses.
 
 Meshes must lie where the shapes lay when they were matched, with the same axes and unit: others are refused. Parts of the shape, more than
 was matched of it, and other tessellations are welcome; --mesh carries what lies inside, too.)";

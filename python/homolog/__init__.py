@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Finds the corresponding parts of two 3D shapes.
 
-Everywhere a shape is a path, a pair (vertices, faces) of arrays (n, 3) and (m, 3), a mesh with .vertices and .faces (trimesh), a PyVista
-mesh, or what `describe` made. Parameters are keywords, those of `homolog params` with underscores; `parameters()` lists them. Besides,
-`preset` is "default" or "paper", and `threads` bounds the threads (0: all cores), which changes no byte of a result.
+Everywhere a shape is a path, a pair (vertices, faces) of arrays (n, 3) and (m, 3), a mesh with .vertices and .faces (trimesh) or
+.vertices and .triangles (Open3D), a PyVista mesh, or what `describe` made. Parameters are keywords, those of `homolog params` with
+underscores; `parameters()` lists them. Besides, `preset` is "default" or "paper", and `threads` bounds the threads (0: all cores), which
+changes no byte of a result.
 
 A part is a box ((x, y, z), (x, y, z)) in shares of the shape's bounding box, 0 to 1: part=((0, 0.5, 0), (1, 1, 1)) is the upper half in y.
 
