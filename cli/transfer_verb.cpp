@@ -98,12 +98,23 @@ std::vector<MarkupList> lists_of(const TransferOptions& options, Console& consol
   return kept ? lists : std::vector<MarkupList>{};
 }
 
-std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction) {
+/// Throws FileError for what no file may hold; of `given`, the file carried from, and `match`, one is to blame.
+void check_finite(const std::vector<CarriedPoint>& points, bool only_there, const std::string& given, const std::string& match) {
+  for (const CarriedPoint& point : points) {
+    if (is_finite(point) || (only_there && !point.is_there())) continue;
+    throw FileError(fmt::format("{}: the match leads a point of {} to no finite place; name a sound match.json and points near its shapes",
+                                match, given));
+  }
+}
+
+std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction,
+                                             const TransferOptions& options) {
   std::vector<Vec3> places;
   for (const MarkupPoint& point : points) {
     if (point.position) places.push_back(*point.position);
   }
   const std::vector<CarriedPoint> carried = carry_points(match, places, direction);
+  check_finite(carried, true, options.points, options.match.file);
   std::vector<CarriedLandmark> landmarks;
   std::size_t next = 0;
   for (const MarkupPoint& point : points) {
@@ -129,6 +140,7 @@ Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const 
   }
   Carried result;
   const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
+  check_finite(vertices, false, options.mesh, options.match.file);
   for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
   mesh.triangles = carried_triangles(match, mesh);
   return {carried_ply(mesh, vertices), result.there, vertices.size()};
@@ -153,7 +165,7 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
   if (points.empty()) throw FileError(fmt::format("{}: it holds no points; name the file with the landmarks to carry", options.points));
   warn_of_far_points(points, options.points, shape, console);
-  const auto landmarks = carry_landmarks(match, points, direction);
+  const auto landmarks = carry_landmarks(match, points, direction, options);
   const std::string specimen = std::filesystem::path(to.file).stem().string();
   Carried result{points_text(landmarks, options.out, specimen, to.ras, lists_of(options, console)), 0, landmarks.size()};
   for (const CarriedLandmark& landmark : landmarks) {

@@ -22,10 +22,11 @@ std::string both_files() {
 }
 
 std::string smallest() {
-  return R"({"format":"homolog-match","version":1,"model":{"file":"a","diagonal":1},"data":{"file":"b","diagonal":2},"matches":[)"
-         R"({"scale":2,"data_from_model":[[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]],)"
+  return R"({"format":"homolog-match","version":1,"model":{"file":"a","diagonal":1,"points":[{"position":[0,0,0]}]},)"
+         R"("data":{"file":"b","diagonal":2,"points":[{"position":[0,0,1]}]},"matches":[)"
+         R"({"confidence":1,"pairs":[{"model":0,"data":0,"confidence":0.5}],"scale":2,"data_from_model":[[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]],)"
          R"("warp":{"kernel":"r3","centres":[[0,0,0],[1,0,0]],"weights":[[0,0,1],[0,0,-1]],)"
-         R"("affine":[[2,0,0,0],[0,2,0,0],[0,0,2,1e-300]]}},{"scale":1,)"
+         R"("affine":[[2,0,0,0],[0,2,0,0],[0,0,2,1e-300]]}},{"confidence":0,"pairs":[{"model":0,"data":0,"confidence":1}],"scale":1,)"
          R"("data_from_model":[[2,0,0,0],[0,2,0,0],[0,0,2,0],[0,0,0,1]],"warp":{"kernel":"r","centres":[],"weights":[],)"
          R"("affine":[[1,0,0,0],[0,1,0,0],[0,0,1,0]]}}]})";
 }

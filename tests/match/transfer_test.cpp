@@ -53,6 +53,14 @@ TEST(CarryPoints, PutsThemWhereTheMapDoes) {
   }
 }
 
+TEST(CarryPoints, KnowsThatWhatIsEndlesslyFarIsNotCovered) {
+  for (const Direction direction : {Direction::data_from_model, Direction::model_from_data}) {
+    const CarriedPoint far = carry_points(match, {Vec3(1e300, 0, 0)}, direction)[0];
+    EXPECT_EQ(far.coverage, 0);
+    EXPECT_FALSE(far.is_there());
+  }
+}
+
 TEST(CarriedTriangles, KeepTheOuterSideOutsideAlsoWhereTheMapMirrors) {
   const Mesh ball = meshes::sphere(2);
   for (const bool mirrored : {false, true}) {

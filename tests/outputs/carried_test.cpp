@@ -30,6 +30,13 @@ TEST(CarriedCsv, LeavesMissingPointsEmpty) {
             "foot,1,1,1,0.5,\n");
 }
 
+TEST(IsFinite, AsksThePlaceAndTheErrorAsItIsWritten) {
+  EXPECT_TRUE(is_finite(CarriedPoint{{1, 2, 3}, true, 0.5, 1}));
+  EXPECT_FALSE(is_finite(CarriedPoint{{1, HUGE_VAL, 3}, true, 0.5, 1}));
+  EXPECT_FALSE(is_finite(CarriedPoint{{1, 2, 3}, true, NAN, 1}));
+  EXPECT_FALSE(is_finite(CarriedPoint{{1, 2, 3}, true, 1e39, 1}));
+}
+
 TEST(CarriedCsv, CanBeCarriedOn) {
   const auto points = read_points_csv(carried_csv(landmarks), "a.csv");
   ASSERT_EQ(points.size(), 5u);

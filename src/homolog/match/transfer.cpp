@@ -88,6 +88,7 @@ double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x
     sum += weight / (square + tiny);
     total += 1 / (square + tiny);
   }
+  if (!(total > 0)) return 0;  // so far away that squares are not finite
   return sum / total * fade(std::sqrt(nearest.front().first) / diagonal, on_body, off_body);
 }
 

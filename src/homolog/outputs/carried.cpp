@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "homolog/outputs/csv_cells.h"
 #include "homolog/outputs/ply.h"
 
@@ -35,6 +37,10 @@ std::string description_of(const CarriedLandmark& landmark) {
 }
 
 }  // namespace
+
+bool is_finite(const CarriedPoint& point) {
+  return point.position.allFinite() && std::isfinite(static_cast<float>(point.expected_error));  // in a .ply it is a float
+}
 
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks) {
   std::string text = "label,x,y,z,expected_error,coverage\n";

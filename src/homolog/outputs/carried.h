@@ -20,6 +20,9 @@ struct CarriedLandmark {
   MarkupDisplay display = {};
 };
 
+/// Whether a file can hold where a point is carried and what error to expect there.
+bool is_finite(const CarriedPoint& point);
+
 /// label,x,y,z,expected_error,coverage; cells of what is missing or not known stay empty.
 std::string carried_csv(const std::vector<CarriedLandmark>& landmarks);
 

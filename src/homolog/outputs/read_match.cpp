@@ -10,6 +10,7 @@
 #include "homolog/base/errors.h"
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/json_text.h"
+#include "homolog/outputs/read_warp.h"
 #include "homolog/outputs/symmetry_text.h"
 #include "homolog/shape/text.h"
 
@@ -18,43 +19,7 @@ namespace {
 
 using nlohmann::ordered_json;
 
-[[noreturn]] void fail(const std::string& file, const std::string& what) { throw FileError(fmt::format("{}: {}", file, what)); }
-
-Vec3 read_vector(const ordered_json& item, const std::string& file) {
-  const auto x = item.get<std::array<double, 3>>();
-  if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
-  return {x[0], x[1], x[2]};
-}
-
-std::vector<Vec3> read_vectors(const ordered_json& list, const std::string& file) {
-  std::vector<Vec3> vectors;
-  for (const ordered_json& item : list) vectors.push_back(read_vector(item, file));
-  return vectors;
-}
-
-Mat4 read_matrix(const ordered_json& rows) {
-  Mat4 matrix;
-  for (int row = 0; row < 4; ++row) {
-    const auto values = rows.at(row).get<std::array<double, 4>>();
-    matrix.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
-  }
-  return matrix;
-}
-
-ThinPlateSpline read_warp(const ordered_json& json, const std::string& file) {
-  ThinPlateSpline warp;
-  const std::string kernel = json.at("kernel");
-  if (kernel != "r" && kernel != "r3") fail(file, fmt::format("the kernel '{}' is not known; use a newer homolog", shown(kernel)));
-  warp.kernel = kernel == "r" ? Kernel::r : Kernel::r3;
-  warp.centres = read_vectors(json.at("centres"), file);
-  warp.weights = read_vectors(json.at("weights"), file);
-  if (warp.centres.size() != warp.weights.size()) fail(file, "a warp has not as many weights as centres; the file is damaged");
-  for (int row = 0; row < 3; ++row) {
-    const auto values = json.at("affine").at(row).get<std::array<double, 4>>();
-    warp.affine.row(row) = Eigen::RowVector4d(values[0], values[1], values[2], values[3]);
-  }
-  return warp;
-}
+constexpr const char* no_pairs = "a match has no pairs of points; the file is damaged";
 
 double read_share(const ordered_json& value, const char* what, const std::string& file) {
   const double share = value;
@@ -62,11 +27,26 @@ double read_share(const ordered_json& value, const char* what, const std::string
   return share;
 }
 
-std::vector<KnownPlace> read_known(const ordered_json& pairs, const ordered_json& points, const std::string& file) {
+Vec3 read_place(const ordered_json& shape, const ordered_json& number, const std::string& file) {
+  return read_vector(shape.at("points").at(number.get<std::size_t>()).at("position"), file);
+}
+
+/// Refuses a warp that leads a pair apart: wherever a warp leads a point, the place is no farther from the point's partner than the data is
+/// large.
+void check_pair(const ThinPlateSpline& warp, const Vec3& model, const Vec3& data, double diagonal, const std::string& file) {
+  if ((warp(model) - data).norm() <= diagonal) return;
+  fail(file, "the warp of a match leads a pair of its points apart; the file is damaged");
+}
+
+/// The model's points of the pairs of a match.
+std::vector<KnownPlace> read_known(const ordered_json& match, const ordered_json& model, const ordered_json& data,
+                                   const ThinPlateSpline& warp, const std::string& file) {
   std::vector<KnownPlace> known;
-  for (const ordered_json& pair : pairs) {
-    const Vec3 position = read_vector(points.at(pair.at("model").get<std::size_t>()).at("position"), file);
+  if (match.at("pairs").empty()) fail(file, no_pairs);
+  for (const ordered_json& pair : match.at("pairs")) {
+    const Vec3 position = read_place(model, pair.at("model"), file);
     known.push_back({position, read_share(pair.at("confidence"), "the confidence of a pair", file)});
+    check_pair(warp, position, read_place(data, pair.at("data"), file), data.at("diagonal"), file);
   }
   return known;
 }
@@ -80,7 +60,8 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   for (const ordered_json& item : json.at("matches")) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
-    match.known = read_known(item.at("pairs"), model.at("points"), file);
+    match.known = read_known(item, model, data, match.data_from_model, file);
+    read_share(item.at("confidence"), "the confidence of a match", file);
     match.scale = item.at("scale");
     match.similarity = read_matrix(item.at("data_from_model"));
     match.model_diagonal = model.at("diagonal");
@@ -95,10 +76,17 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   return family;
 }
 
+std::vector<float> read_weights(const ordered_json& list, std::size_t count, const std::string& file) {
+  if (list.size() != count) fail(file, "there are not as many weights as vertices or samples; the file is damaged");
+  std::vector<float> weights;
+  for (const ordered_json& weight : list) weights.push_back(static_cast<float>(read_share(weight, "a weight", file)));
+  return weights;
+}
+
 CoveredSamples read_samples(const ordered_json& side, const ordered_json& weights, const std::string& file) {
-  CoveredSamples samples{read_vectors(side.at("samples"), file), weights.at("samples")};
-  if (samples.positions.size() != samples.weights.size()) fail(file, "there are not as many weights as samples; the file is damaged");
-  return samples;
+  std::vector<Vec3> positions = read_vectors(side.at("samples"), file);
+  const std::size_t count = positions.size();
+  return {std::move(positions), read_weights(weights.at("samples"), count, file)};
 }
 
 void check_parts(const ordered_json& json, const std::string& file, const std::string& model, const std::string& data, std::size_t count) {
@@ -180,8 +168,10 @@ Handedness read_handedness(const ordered_json& name, const std::string& file) {
   fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown_value(name)));
 }
 
-CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const Shape& data, const std::string& file) {
+CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const Shape& data, const ThinPlateSpline& warp,
+                             const std::string& file) {
   CorrespondenceSet pairs;
+  if (list.empty()) fail(file, no_pairs);
   for (const ordered_json& item : list) {
     Correspondence pair{item.at("model"), item.at("data"), {}, {}, item.at("descriptor_distance"), 0};
     const auto is_one_of = [](int number, const Shape& shape) { return number >= 0 && number < static_cast<int>(shape.points.size()); };
@@ -190,6 +180,7 @@ CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const
     pair.model_point = model.points[static_cast<std::size_t>(pair.model)];
     pair.data_point = data.points[static_cast<std::size_t>(pair.data)];
     pair.confidence = read_share(item.at("confidence"), "the confidence of a pair", file);
+    check_pair(warp, pair.model_point.position, pair.data_point.position, data.diagonal, file);
     pairs.push_back(pair);
   }
   return pairs;
@@ -197,8 +188,8 @@ CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const
 
 Match read_match(const ordered_json& json, const Shape& model, const Shape& data, const std::string& file) {
   Match match;
-  match.pairs = read_pairs(json.at("pairs"), model, data, file);
   match.data_from_model = read_warp(json.at("warp"), file);
+  match.pairs = read_pairs(json.at("pairs"), model, data, match.data_from_model, file);
   match.similarity = read_similarity(json, file);
   match.handedness = read_handedness(json.at("handedness"), file);
   match.confidence = read_share(json.at("confidence"), "the confidence of a match", file);
@@ -219,13 +210,6 @@ ReadResult read_whole(const ordered_json& json, const std::string& file) {
   for (const auto& [stage, count] : json.at("counts").items()) result.family.counts.stages.emplace_back(stage, count.get<long>());
   for (const ordered_json& match : json.at("matches")) result.family.matches.push_back(read_match(match, result.model, result.data, file));
   return result;
-}
-
-std::vector<float> read_weights(const ordered_json& list, std::size_t count, const std::string& file) {
-  if (list.size() != count) fail(file, "there are not as many weights as vertices or samples; the file is damaged");
-  std::vector<float> weights;
-  for (const ordered_json& weight : list) weights.push_back(static_cast<float>(read_share(weight, "a weight", file)));
-  return weights;
 }
 
 void add_whole_parts(const ordered_json& json, const std::string& file, ReadResult& result) {
