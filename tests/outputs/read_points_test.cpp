@@ -53,7 +53,8 @@ TEST(ReadPointsCsv, TakesCapitalsAndSemicolons) {
   ASSERT_EQ(points.size(), 1u);
   EXPECT_EQ(points[0].label, "a; b");
   EXPECT_EQ(points[0].position, Vec3(1, 2, 3));
-  EXPECT_THAT(csv_message("x;y;z\n1,5;2;3\n"), HasSubstr("save it with a decimal point"));
+  EXPECT_THAT(csv_message("x;y;z\n1,5;2;3\n"),
+              HasSubstr("line 2: '1,5' is not a number; save it with a decimal point instead of the comma"));
 }
 
 TEST(ReadPointsCsv, TakesNamesForLabelsWhereThereAreNone) {
@@ -80,6 +81,15 @@ TEST(ReadPointsCsv, NamesTheLineOfAnError) {
   EXPECT_THAT(csv_message("x,y,z\n1,,3\n"), HasSubstr("line 2: some coordinates are missing, but not all"));
   EXPECT_THAT(csv_message("x,y,z\n1,inf,3\n"), HasSubstr("line 2: 'inf' is not a finite number"));
   EXPECT_THAT(csv_message("x,y,z,label\n1,2,3,\"a\n"), HasSubstr("line 2: a quotation mark is not closed"));
+  EXPECT_THAT(csv_message("x,y,z,label\n1,2,3,\"a\n1,2,3,b\n\n"), HasSubstr("line 2: a quotation mark is not closed"));
+  EXPECT_THAT(csv_message("x,y,z,label\n1,2,3,\"a\nb\"\n1,two,3,c\n"), HasSubstr("line 4: 'two' is not a finite number"));
+}
+
+TEST(ReadPointsCsv, TakesLabelsOfSeveralLines) {
+  const auto points = read_points_csv("x,y,z,label\r\n1,2,3,\"a, \"\"b\"\"\r\n\r\nc\"\r\n4,5,6,d\r\n", "a.csv");
+  ASSERT_EQ(points.size(), 2u);
+  EXPECT_EQ(points[0].label, "a, \"b\"\n\nc");
+  EXPECT_EQ(points[1].label, "d");
 }
 
 TEST(ReadMarkups, ReadsBackWhatMarkupsWrite) {

@@ -25,6 +25,16 @@ TEST(PointsText, OfEveryEndingIsReadBack) {
   }
 }
 
+TEST(PointsText, HoldsLabelsWhateverTheyAre) {
+  using namespace std::string_literals;
+  const std::vector<CarriedLandmark> carried{{"<b>\"\n\0\x1b[31m"s, CarriedPoint{Vec3(1, 2, 3), true, 0.5, 1}}, {"b", {}}};
+  const std::string text = points_text(carried, "a.csv", "");
+  EXPECT_EQ(text, "label,x,y,z,expected_error,coverage\n\"<b>\"\"\n  [31m\",1,2,3,0.5,1.000\nb,,,,,\n");
+  const std::vector<MarkupPoint> again = read_points_csv(text, "a.csv");
+  ASSERT_EQ(again.size(), 2u);
+  EXPECT_EQ(again[0].label, "<b>\"\n  [31m");
+}
+
 TEST(PointsText, OfCarriedOnesTellsMoreWhereThereIsRoom) {
   const std::vector<CarriedLandmark> carried{{"ear", CarriedPoint{Vec3(1, 2, 3), true, 0.5, 1}}};
   EXPECT_EQ(points_text(carried, "a.csv", ""), carried_csv(carried));

@@ -10,11 +10,12 @@
 
 namespace homolog {
 
-/// The cells of a line without the blanks around them; a quoted cell may hold commas, and quotes written twice. Throws FileError, naming
-/// the line, when a quotation mark is not closed.
-std::vector<std::string> csv_cells(const Text& text, std::string_view line, char separator = ',');
+/// The cells of a row, whose first line was taken off the text, without the blanks around them; a quoted cell may hold commas, quotes
+/// written twice, and line breaks: further lines are taken off, then. Throws FileError, naming the first line, when a quotation mark is not
+/// closed.
+std::vector<std::string> csv_cells(Text& text, std::string_view line, char separator = ',');
 
-/// A cell as readers take it for one: quoted if it holds what would end it.
-std::string csv_cell(const std::string& text);
+/// A cell as readers take it for one: quoted if it holds what would end it; control characters but line breaks become blanks.
+std::string csv_cell(std::string text);
 
 }  // namespace homolog

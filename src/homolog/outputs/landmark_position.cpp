@@ -26,6 +26,14 @@ std::optional<Vec3> landmark_position(Text& text, const std::array<std::string_v
   return {};
 }
 
+std::optional<Vec3> landmark_cells(Text& text, const std::array<std::string_view, 3>& cells) {
+  for (const std::string_view cell : cells) {
+    if (cell.find(',') == cell.npos) continue;
+    fail(text, fmt::format("'{}' is not a number; save it with a decimal point instead of the comma", shown(cell)));
+  }
+  return landmark_position(text, cells);
+}
+
 std::optional<Vec3> landmark_line(Text& text, std::string_view line, bool nines) {
   std::array<std::string_view, 3> words;
   for (std::string_view& word : words) word = take_word(line);

@@ -17,6 +17,9 @@ inline constexpr double missing_coordinate = 9999;
 /// for what is no finite number, and when only some are missing.
 std::optional<Vec3> landmark_position(Text& text, const std::array<std::string_view, 3>& words, bool nines = false);
 
+/// The same for the cells of a CSV row.
+std::optional<Vec3> landmark_cells(Text& text, const std::array<std::string_view, 3>& cells);
+
 /// The same for a line of exactly three words.
 std::optional<Vec3> landmark_line(Text& text, std::string_view line, bool nines = false);
 

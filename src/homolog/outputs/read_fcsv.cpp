@@ -51,7 +51,7 @@ MarkupPoint read_row(Text& text, const std::vector<std::string>& cells, const He
   point.display = {cell("sel") != "0", cell("lock") == "1", cell("vis") != "0"};
   const bool status_known = cells.size() > header.columns.size() && !cells[header.columns.size()].empty();
   if (status_known && cells[header.columns.size()] != "2") return point;
-  point.position = landmark_position(text, {cell("x"), cell("y"), cell("z")});
+  point.position = landmark_cells(text, {cell("x"), cell("y"), cell("z")});
   if (point.position) point.position = header.lps_signs->cwiseProduct(*point.position);
   return point;
 }
