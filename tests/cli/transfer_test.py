@@ -111,9 +111,9 @@ class Transfer(Program):
         with open(self.path("all.tps"), "w") as file:
             file.write("".join("LM3=1\n{} {} {}\nID=b{}\n".format(*x, i) for i, x in enumerate((self.FOOT, self.HEAD))))
         transfer = ("transfer", "out/match.json", "--points", "all.tps", "--out", "a.csv")
-        self.expect_message(3, "it holds 2 specimens; say which one is meant by its name or number ('specimen'): 1 b0, 2 b1", *transfer)
+        self.expect_message(3, "it holds 2 specimens; say which one is meant by its name or number (--specimen; in Python specimen=): 1 b0, 2 b1", *transfer)
         self.expect_message(3, "it holds no specimen 'b7'", *transfer, "--specimen", "b7")
-        self.expect_message(3, "leave 'specimen' out", "transfer", "out/match.json", "--points", "points.csv", "--out", "a.csv", "--specimen", "1")
+        self.expect_message(3, "it holds the points of one specimen; leave the specimen out", "transfer", "out/match.json", "--points", "points.csv", "--out", "a.csv", "--specimen", "1")
         self.expect_message(2, "--specimen goes with --points", "transfer", "out/match.json", "--mesh", "bear.off", "--out", "a.ply", "--specimen", "1")
         done = self.run_it(*transfer, "--specimen", "b1")
         self.assertEqual((done.returncode, done.stderr), (0, ""))

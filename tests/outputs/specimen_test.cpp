@@ -21,9 +21,9 @@ TEST(ChosenSpecimen, GoesByNameThenByNumber) {
 }
 
 TEST(ChosenSpecimen, NeverGuesses) {
-  EXPECT_THAT(
-      message_of([] { chosen_specimen(collection, "", "a.tps"); }),
-      HasSubstr("a.tps: it holds 3 specimens; say which one is meant by its name or number ('specimen'): 1 anna, 2 2, 3 (no name)"));
+  EXPECT_THAT(message_of([] { chosen_specimen(collection, "", "a.tps"); }),
+              HasSubstr("a.tps: it holds 3 specimens; say which one is meant by its name or number (--specimen; in Python specimen=): 1 "
+                        "anna, 2 2, 3 (no name)"));
   EXPECT_THAT(message_of([] { chosen_specimen(collection, "otto", "a.tps"); }), HasSubstr("it holds no specimen 'otto', but 1 anna"));
   EXPECT_THAT(message_of([] { chosen_specimen({}, "", "a.tps"); }), HasSubstr("it holds no landmarks"));
 }

@@ -47,7 +47,7 @@ Columns read_header(Text& text, std::string_view line) {
 MarkupPoint read_row(Text& text, const std::vector<std::string>& cells, const Columns& columns) {
   if (cells.size() != columns.count) fail(text, fmt::format("{} cells, but the header has {}", cells.size(), columns.count));
   const auto& [x, y, z] = columns.position;
-  return {columns.label ? cells[*columns.label] : "", "", landmark_position(text, {cells[x], cells[y], cells[z]})};
+  return {columns.label ? cells[*columns.label] : "", "", landmark_cells(text, {cells[x], cells[y], cells[z]})};
 }
 
 using Read = std::vector<MarkupPoint> (*)(const std::string& text, const std::string& file);
@@ -89,7 +89,7 @@ std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const st
   if (read == nullptr) {
     throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
   }
-  if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave 'specimen' out", file));
+  if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave the specimen out", file));
   std::vector<MarkupPoint> points = read(utf8_text(read_file(path)), file);
   if (ras && (read == read_markups || read == read_fcsv)) turn_to_ras(points);
   return points;

@@ -27,8 +27,9 @@ const Specimen& chosen_specimen(const std::vector<Specimen>& specimens, const st
   if (specimens.empty()) throw FileError(fmt::format("{}: it holds no landmarks; export them again", file));
   if (which.empty()) {
     if (specimens.size() == 1) return specimens[0];
-    throw FileError(fmt::format("{}: it holds {} specimens; say which one is meant by its name or number ('specimen'): {}", file,
-                                specimens.size(), names_of(specimens)));
+    throw FileError(
+        fmt::format("{}: it holds {} specimens; say which one is meant by its name or number (--specimen; in Python specimen=): {}", file,
+                    specimens.size(), names_of(specimens)));
   }
   for (const Specimen& specimen : specimens) {
     if (specimen.name == which) return specimen;
