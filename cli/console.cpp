@@ -12,7 +12,25 @@
 
 namespace homolog::cli {
 
-void print_result(std::string_view text) {
+namespace {
+
+constexpr std::string_view kLayout = "\n\t";  // of tables and JSON
+
+/// Names of files may hold commands for the terminal: such characters become question marks, those of `kept` and other UTF-8 stay.
+std::string harmless(std::string_view text, std::string_view kept) {
+  std::string safe(text);
+  for (std::size_t i = 0; i < safe.size(); ++i) {
+    const auto c = static_cast<unsigned char>(safe[i]), next = static_cast<unsigned char>(i + 1 < safe.size() ? safe[i + 1] : ' ');
+    if ((c < ' ' && kept.find(safe[i]) == kept.npos) || c == 0x7f) safe[i] = '?';
+    if (c == 0xc2 && next >= 0x80 && next <= 0x9f) safe.replace(i, 2, "?");  // U+0080 to U+009F
+  }
+  return safe;
+}
+
+}  // namespace
+
+void print_result(std::string_view result) {
+  const std::string text = harmless(result, kLayout);
   errno = 0;
   const bool written = std::fwrite(text.data(), 1, text.size(), stdout) == text.size();
   if (!written || std::fflush(stdout) != 0) {
@@ -27,7 +45,7 @@ void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stder
 
 }  // namespace
 
-void print_message(std::string_view sentence) { say(fmt::format("homolog: {}\n", sentence)); }
+void print_message(std::string_view sentence) { say(fmt::format("homolog: {}\n", harmless(sentence, ""))); }
 
 Console::Console(bool quiet, bool timing) : quiet_(quiet), timing_(timing), progress_(!quiet && isatty(STDERR_FILENO)) {}
 
@@ -38,7 +56,7 @@ Console::~Console() {
 
 void Console::stage(std::string_view text) {
   if (!progress_) return;
-  say(fmt::format("\r\033[K{} ...", text));
+  say(fmt::format("\r\033[K{} ...", harmless(text, "")));
   std::fflush(stderr);
   shown_ = true;
 }

@@ -9,10 +9,10 @@
 
 namespace homolog::cli {
 
-/// Writes a result to stdout. Throws OutputError when that fails (a full disk, for example).
+/// Writes a result to stdout, without commands for the terminal. Throws OutputError when that fails (a full disk, for example).
 void print_result(std::string_view text);
 
-/// One line `homolog: sentence` on stderr.
+/// One line `homolog: sentence` on stderr, whatever the names in it hold.
 void print_message(std::string_view sentence);
 
 /// Progress and warnings, silent when quiet; and what each stage took, told at the end when wanted.

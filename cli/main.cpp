@@ -69,12 +69,28 @@ int answer(const CLI::App& program, const CLI::Success& asked) {
   return kFound;
 }
 
+/// A flag said twice says no more than once; of two values one would be lost.
+void allow_repeated_flags(CLI::App& verb) {
+  for (CLI::Option* option : verb.get_options()) {
+    if (option->get_items_expected_max() == 0) option->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
+  }
+}
+
+void reject_repeated(const CLI::App& verb) {
+  for (const CLI::Option* option : verb.get_options()) {
+    if (option->get_multi_option_policy() != CLI::MultiOptionPolicy::Throw || option->count() < 2) continue;
+    throw UsageError(fmt::format("{} is given {} times, but takes one value; give it once", option->get_name(), option->count()));
+  }
+}
+
 /// What CLI11 objects to, as one sentence. A mistyped option is the likelier cause of whatever else is missing, so it goes first.
 [[noreturn]] void reject(const CLI::App& program, const CLI::ParseError& error) {
   reject_extras(program);
+  const auto verbs = program.get_subcommands();
+  for (const CLI::App* verb : verbs) reject_repeated(*verb);
   const std::string text = error.what();
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error)) throw UsageError(fmt::format("{} needs a value", text.substr(0, text.find(':'))));
-  throw UsageError(text + "; 'homolog VERB --help' tells more");
+  throw UsageError(fmt::format("{}; 'homolog {}--help' tells more", text, verbs.empty() ? "" : verbs.front()->get_name() + " "));
 }
 
 int run(int argc, char** argv) {
@@ -82,11 +98,13 @@ int run(int argc, char** argv) {
   program.set_version_flag("--version", "homolog " HOMOLOG_VERSION, "Print the version.");
   program.footer(kExamples);
   program.get_formatter()->column_width(32);
-  program.option_defaults()->multi_option_policy(CLI::MultiOptionPolicy::TakeLast);
   program.allow_extras();  // so that we can say which word is wrong, and what may have been meant
   const Verb verbs[] = {add_match(program), add_symmetry(program), add_points(program), add_transfer(program),
                         add_dense(program), add_morph(program),    add_params(program), add_generate(program)};
-  for (const Verb& verb : verbs) verb.app->allow_extras();
+  for (const Verb& verb : verbs) {
+    verb.app->allow_extras();
+    allow_repeated_flags(*verb.app);
+  }
   try {
     program.parse(argc, argv);
   } catch (const CLI::Success& asked) {

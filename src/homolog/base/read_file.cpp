@@ -12,6 +12,7 @@
 namespace homolog {
 
 void check_file(const std::filesystem::path& path, std::uint64_t most) {
+  if (path.empty()) throw FileError("the name of a file is empty; name the file to read");
   std::error_code error;
   const auto status = std::filesystem::status(path, error);
   if (status.type() == std::filesystem::file_type::none)
