@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "outputs/message_of.h"
+
 namespace homolog {
 namespace {
 
@@ -33,6 +35,28 @@ TEST(JsonText, ReadsBackTheSame) {
   ordered_json json = ordered_json::array();
   for (int i = 1; i < 200; ++i) json.push_back({{"share", 1.0 / i}, {"list", {i, 1e300 / i, "a\n\"b"}}});
   EXPECT_EQ(ordered_json::parse(json_text(json)), json);
+}
+
+TEST(ReadJson, SaysInOurWordsWhatIsWrong) {
+  const auto message = [](const std::string& text) {
+    return message_of([&] {
+      read_json(text, "a.json", "matches", [](const ordered_json& json) {
+        json.at("list").at(1);
+        return json.at("number").get<double>();
+      });
+    });
+  };
+  const auto told = [](const std::string& what) {
+    return "a.json: this is not a file of matches (" + what + "); it is another one or damaged";
+  };
+  EXPECT_EQ(message("[]"), told("a value in it is of the type array, which does not belong there"));
+  EXPECT_EQ(message("{}"), told("key 'list' not found"));
+  EXPECT_EQ(message(R"({"list":5})"), told("a value in it is of the type number, which does not belong there"));
+  EXPECT_EQ(message(R"({"list":[]})"), told("a list in it is too short"));
+  EXPECT_EQ(message(R"({"list":[1,2],"number":"x"})"), told("a value in it is of the type string, which does not belong there"));
+  EXPECT_EQ(message(R"({"list":1e999})"), told("a number in it is too large"));
+  EXPECT_EQ(message("{\n\"list\":\n  [1,\x1b"), told("it stops being JSON in line 3, at '{?\"list\":?  [1,?'"));
+  EXPECT_EQ(message("{\n"), told("it stops being JSON in line 1, at '{?'"));
 }
 
 }  // namespace

@@ -86,7 +86,7 @@ TEST_F(ReadFamily, RefusesPartsOfAnotherMatch) {
 
 TEST_F(ReadFamily, RefusalsHoldNoCommandsForTheTerminal) {
   write_file(folder / "match.json", "\"\x7f");
-  EXPECT_THAT(message(), HasSubstr("missing closing quote; last read: '\"?'"));
+  EXPECT_THAT(message(), HasSubstr("it stops being JSON in line 1, at '\"?'"));
 }
 
 TEST_F(ReadFamily, RefusesListsInListsDeeperThanTheStack) {
@@ -102,6 +102,10 @@ TEST_F(ReadFamily, SaysWhatIsWrong) {
   EXPECT_THAT(message(), HasSubstr("its version is 2, but only 1 is known"));
   write_file(folder / "match.json", "{\"format\": \"homolog-match\", \"version\": 1}");
   EXPECT_THAT(message(), HasSubstr("this is not a file of matches (key 'model' not found)"));
+  family.matches[0].confidence = 7;
+  write_file(folder / "match.json", match_json(model, data, family, {}));
+  EXPECT_THAT(message(), HasSubstr("the confidence of a match is not from 0 to 1"));
+  family.matches[0].confidence = 1;
   family.matches[0].pairs[0].confidence = -1;
   write_file(folder / "match.json", match_json(model, data, family, {}));
   EXPECT_THAT(message(), HasSubstr("the confidence of a pair is not from 0 to 1"));
@@ -110,6 +114,37 @@ TEST_F(ReadFamily, SaysWhatIsWrong) {
   EXPECT_THAT(message(), HasSubstr("this is not a file of matches"));
   write_file(folder / "match.json", match_json(model, data, family, {}).substr(0, 500));
   EXPECT_THAT(message(), HasSubstr("match.json: this is not a file of matches"));
+}
+
+TEST_F(ReadFamily, RefusesWarpsThatCannotBe) {
+  const auto refuses = [&](const std::string& what) {
+    const std::string text = match_json(model, data, family, {});
+    EXPECT_THAT(message_of([&] { read_family({text, "match.json"}, std::nullopt); }), HasSubstr("match.json: " + what));
+    EXPECT_THAT(message_of([&] { read_result({text, "match.json"}, std::nullopt); }), HasSubstr("match.json: " + what));
+  };
+  ThinPlateSpline& warp = family.matches[0].data_from_model;
+  const ThinPlateSpline sound = warp;
+  for (const double weight : {1e5, 1e300, 1e308}) {
+    warp.weights = {Vec3(weight, 0, 0)};
+    warp.kernel = Kernel::r3;
+    refuses("the warp of a match leads a pair of its points apart; the file is damaged");
+  }
+  warp = sound;
+  warp.affine.leftCols<3>() = Vec3(1, 1, 0).asDiagonal();
+  refuses("a warp makes a plane, a line or a point of space; the file is damaged");
+  warp.affine.setZero();
+  refuses("a warp makes a plane");
+  warp = sound;
+  family.matches[0].pairs.clear();
+  refuses("a match has no pairs of points; the file is damaged");
+}
+
+TEST_F(ReadFamily, RefusesWeightsOfPartsThatAreNoShares) {
+  write_parts(1);
+  std::string parts = read_file(folder / "parts.json");
+  parts.replace(parts.find("0.25"), 4, "2.25");
+  write_file(folder / "parts.json", parts);
+  EXPECT_THAT(message(), HasSubstr("parts.json: a weight is not from 0 to 1; the file is damaged"));
 }
 
 /// One as turned and scaled as real ones are, so that its matrix has all digits.

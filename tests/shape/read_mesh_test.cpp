@@ -98,6 +98,27 @@ TEST_F(ReadMesh, OpensNothingOutsideTheFolderOfAScene) {
   }
 }
 
+TEST_F(ReadMesh, NamesTheFileThatNamesAnother) {
+  std::filesystem::create_directory(folder_ / "sub");
+  write("none.bin", "");
+  const auto naming = [](const std::string& uri) {
+    std::string text = gltf_text();
+    return text.replace(text.find("box.bin"), 7, uri);
+  };
+  expect_error("a.gltf", naming("sub"), "a.gltf: it needs the file 'sub', but that is a directory; put the file in its place");
+  expect_error("a.gltf", naming("none.bin"), "a.gltf: it needs the file 'none.bin', but the file is empty; export it again");
+}
+
+TEST_F(ReadMesh, SaysInOurWordsWhyAFileCannotBeRead) {
+  expect_error("a.gltf", R"({"asset":{"version":"2.0"},})",
+               "it stops being JSON in line 1, at ':{\"version\":\"2.0\"},}'; the file is damaged");
+  expect_error("a.dae", collada("").substr(0, 500),
+               "a.dae: it cannot be read as COLLADA; it is truncated, damaged or of an unknown version");
+  expect_error("a.dae", R"(<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset/></COLLADA>)",
+               "a.dae: the file holds no triangles");
+  expect_error("a.fbx", "Kaydara FBX Binary  ", "a.fbx: it cannot be read as FBX; it is truncated, damaged or of an unknown version");
+}
+
 TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
   const auto message = [](const std::filesystem::path& path) {
     try {
@@ -108,6 +129,7 @@ TEST_F(ReadMesh, RefusesWhatIsNoMeshFile) {
     return std::string("nothing was thrown");
   };
   EXPECT_THAT(message(folder_ / "missing.off"), testing::HasSubstr("missing.off: there is no such file"));
+  EXPECT_EQ(message(""), "the name of a file is empty; name the file to read");
   EXPECT_THAT(message(folder_), testing::HasSubstr("this is a directory"));
   EXPECT_THAT(message("/dev/null"), testing::HasSubstr("not a regular file"));
   expect_error("a.off", "", "the file is empty");

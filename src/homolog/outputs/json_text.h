@@ -10,6 +10,7 @@
 #include <string>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/json_fault.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -40,9 +41,7 @@ auto read_json(const std::string& text, const std::string& file, const char* kin
   try {
     return read(nlohmann::ordered_json::parse(text));
   } catch (const nlohmann::json::exception& error) {
-    const std::string reason = error.what();  // begins with the library's own number in brackets
-    throw FileError(fmt::format("{}: this is not a file of {} ({}); it is another one or damaged", file, kind,
-                                shown(reason.substr(reason.find("] ") + 2), 200)));
+    throw FileError(fmt::format("{}: this is not a file of {} ({}); it is another one or damaged", file, kind, json_fault(error, text)));
   }
 }
 

@@ -9,6 +9,7 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/shape/base64.h"
+#include "homolog/shape/json_fault.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -54,7 +55,7 @@ json parse(std::string_view text, const GltfFile& file) {
     if (!document.is_object()) fail(file, "its JSON is no object");
     return document;
   } catch (const json::exception& error) {
-    fail(file, fmt::format("its JSON cannot be read ({})", shown(error.what(), 120)));
+    fail(file, json_fault(error, text));
   }
 }
 

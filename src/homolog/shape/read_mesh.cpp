@@ -120,7 +120,16 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
   if (!fs::exists(path, error)) {
     throw FileError(fmt::format("{}: it names the file '{}', which is not there; put the two together", file.string(), shown(name)));
   }
-  return read_file(path, most);
+  if (fs::is_directory(path, error)) {
+    throw FileError(
+        fmt::format("{}: it needs the file '{}', but that is a directory; put the file in its place", file.string(), shown(name)));
+  }
+  try {
+    return read_file(path, most);
+  } catch (const FileError& fault) {  // which names the file in full, but not the one that was named
+    const std::string reason = std::string(fault.what()).substr(path.string().size() + 2);
+    throw FileError(fmt::format("{}: it needs the file '{}', but {}", file.string(), shown(name), reason));
+  }
 }
 
 Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {

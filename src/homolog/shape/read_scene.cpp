@@ -46,14 +46,22 @@ void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
   }
 }
 
-/// Before anything is made of it; null with the reason when it cannot be read.
-const aiScene* imported(Assimp::Importer& importer, std::string_view content, const std::string& format, std::string& reason) {
+/// Whole, but without any mesh: assimp calls it damaged.
+bool is_empty_collada(std::string_view content) {
+  return content.find("mesh>") == content.npos && content.find("COLLADA>", content.size() / 2) != content.npos;
+}
+
+const char* name_of(const std::string& format) {
+  return format == "fbx" ? "FBX" : format == "ac" ? "AC3D" : format == "dae" ? "COLLADA" : "3DS";
+}
+
+/// Before anything is made of it; null when it cannot be read, for reasons in assimp's words, which help nobody.
+const aiScene* imported(Assimp::Importer& importer, std::string_view content, const std::string& format) {
   importer.SetIOHandler(new NoFiles);                                            // which the importer deletes
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // coordinates stay the file's
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   try {
     const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str());
-    reason = importer.GetErrorString();
     if (importer.GetException()) std::rethrow_exception(importer.GetException());
     if (format == "dae" && scene && scene->mRootNode)
       scene->mRootNode->mTransformation = aiMatrix4x4();  // else metres are made of its unit
@@ -61,21 +69,20 @@ const aiScene* imported(Assimp::Importer& importer, std::string_view content, co
     return scene;
   } catch (const std::bad_alloc&) {
     throw;
-  } catch (const std::exception& error) {
-    reason = error.what();
+  } catch (const std::exception&) {
     return nullptr;
   }
 }
 
 Mesh read_by_assimp(std::string_view content, const std::string& format, const std::string& file) {
   Assimp::Importer importer;
-  std::string reason;
-  const aiScene* scene = imported(importer, content, format, reason);
-  if (!scene || (scene->mFlags & AI_SCENE_FLAGS_INCOMPLETE && scene->mNumMeshes == 0)) {
-    if (reason.empty()) reason = "no mesh is in it";
-    throw FileError(fmt::format("{}: the file cannot be read ({}); it is truncated or damaged, export it again", file, shown(reason, 120)));
-  }
   Mesh mesh;
+  if (format == "dae" && is_empty_collada(content)) return mesh;
+  const aiScene* scene = imported(importer, content, format);
+  if (!scene) {
+    throw FileError(fmt::format("{}: it cannot be read as {}; it is truncated, damaged or of an unknown version, export it again", file,
+                                name_of(format)));
+  }
   for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i], file);
   return weld(mesh);
 }

@@ -77,8 +77,12 @@ void read_xml(std::string_view text, const std::string& file, const XmlEvents& e
   const bool whole = XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK;
   if (reading.thrown) std::rethrow_exception(reading.thrown);
   if (!whole && reading.wants_more) {
-    throw FileError(fmt::format("{}, line {}: {}; the file is truncated or damaged", file, XML_GetCurrentLineNumber(parser.get()),
-                                XML_ErrorString(XML_GetErrorCode(parser.get()))));
+    const std::string reason = XML_ErrorString(XML_GetErrorCode(parser.get()));
+    if (reason.find("amplification") != reason.npos) {  // the code of which older versions do not have
+      throw FileError(fmt::format("{}, line {}: its entities unfold to far more than the file; export it again without any", file,
+                                  XML_GetCurrentLineNumber(parser.get())));
+    }
+    throw FileError(fmt::format("{}, line {}: {}; the file is truncated or damaged", file, XML_GetCurrentLineNumber(parser.get()), reason));
   }
 }
 
