@@ -65,7 +65,9 @@ class Dense(Program):
         self.expect_message(2, "--threads is 'x'", "dense", match, "--threads", "x", "--out", "dense")
         self.expect_message(3, "name that one", "dense", match, "--model", "plate.off", "--out", "dense")
         self.expect_message(3, "bear.off: this is not a file of matches", "dense", "bear.off", "--out", "dense")
-        self.expect_message(4, "cannot make the folder", "dense", match, "--out", "bear.off/dense")
+        self.expect_message(4, "cannot make the folder 'bear.off/dense': a file, or a link that leads nowhere, is in its way; choose another folder", "dense", match, "--out", "bear.off/dense")
+        os.symlink("nowhere", self.path("link"))
+        self.expect_message(4, "'link': a file, or a link that leads nowhere, is in its way; choose another folder", "dense", match, "--out", "link")
         self.assertFalse(os.path.exists(self.path("dense")))
 
 

@@ -65,6 +65,12 @@ class LyingFiles(Program):
         self.refuse("bomb.3mf", bomb(200 << 20))
 
     @limits_memory
+    def test_bomb_of_entities(self):
+        entities = "".join(f'<!ENTITY e{i + 1} "{f"&e{i};" * 10}">' for i in range(9))
+        xml = f'<?xml version="1.0"?><!DOCTYPE VTKFile [<!ENTITY e0 "{"lol" * 100}">{entities}]><VTKFile type="PolyData"><PolyData>&e9;</PolyData></VTKFile>'
+        self.refuse("lol.vtp", xml.encode())
+        self.expect_message(3, "its entities unfold to far more than the file; export it again without any", "points", "lol.vtp")
+
     def test_bombs_of_volumes_and_vtp(self):
         zeros = bytes(300 << 20)
         limit = (*COARSE, "--max-memory", "200")
@@ -207,9 +213,9 @@ class Surroundings(Program):
         user["program"] = shutil.copy(PROGRAM, self.path("homolog"))  # the build may lie where nobody else may look
         done = self.run_it("points", "bear.off", "--out", "locked/out", **user)
         self.assertEqual(done.returncode, 4, done.stderr)
-        self.assertRegex(done.stderr, r"\Ahomolog: cannot make the folder 'locked/out': Permission denied\n\Z")
+        self.assertRegex(done.stderr, r"\Ahomolog: cannot make the folder 'locked/out': Permission denied; choose one that you may write into\n\Z")
         done = self.run_it("points", "bear.off", "--out", "locked", **user)
-        self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied\n"))
+        self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied; choose one that you may write into\n"))
 
     def test_whenever_it_is_killed_results_are_whole(self):
         words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]

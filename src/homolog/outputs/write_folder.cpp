@@ -17,6 +17,13 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// Why a folder cannot be had, and what to do.
+std::string refusal(const std::error_code& error) {
+  if (error == std::errc::not_a_directory || error == std::errc::file_exists)
+    return "a file, or a link that leads nowhere, is in its way; choose another folder";
+  return error.message() + (error == std::errc::permission_denied ? "; choose one that you may write into" : "; choose another folder");
+}
+
 /// While it lives, no other process of ours writes into the folder: of two with the same --out one comes after the other, whole. A file
 /// system that knows no locks leaves it to chance.
 class Locked {
@@ -39,7 +46,7 @@ class MadeFolders {
     fs::create_directories(path, error);
     if (!error) return;
     remove();
-    throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), error.message()));
+    throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), refusal(error)));
   }
   ~MadeFolders() { remove(); }
   MadeFolders(const MadeFolders&) = delete;
@@ -61,12 +68,12 @@ class MadeFolders {
 void require_writable_folder(const fs::path& path) {
   std::error_code error;
   fs::path there = fs::absolute(path);
-  while (!fs::exists(there, error) && !error) there = there.parent_path();
+  while (!fs::exists(there, error) && !error && !fs::is_symlink(there)) there = there.parent_path();
   const bool exists = there == fs::absolute(path);
   if (!error && !fs::is_directory(there)) error = std::make_error_code(std::errc::not_a_directory);
   if (!error && access(there.c_str(), W_OK | X_OK) != 0) error = std::error_code(errno, std::generic_category());
-  if (error && !exists) throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), error.message()));
-  if (error) throw OutputError(fmt::format("cannot write into the folder '{}': {}", path.string(), error.message()));
+  if (error && !exists) throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), refusal(error)));
+  if (error) throw OutputError(fmt::format("cannot write into the folder '{}': {}", path.string(), refusal(error)));
 }
 
 void write_folder(const fs::path& folder, const NamedFiles& files, const std::vector<fs::path>& read) {
