@@ -25,6 +25,17 @@ TEST_F(ReadObj, ReadsRelativeLaterAndContinuedNumbers) {
   EXPECT_EQ(read("a.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4 # quad\n").triangles.size(), 2u);
 }
 
+TEST_F(ReadObj, KnowsNamesThatEndInABackslash) {
+  const std::string faces = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+  for (const char* line : {"mtllib C:\\dir\\", "usemtl a\\", "o a\\", "g a b\\"}) {
+    EXPECT_EQ(read("a.obj", line + ("\n" + faces)).vertices.size(), 3u) << line;
+    EXPECT_EQ(read("a.obj", line + ("\r\n" + faces)).vertices.size(), 3u) << line;
+  }
+  EXPECT_EQ(read("a.obj", "g a \\\nb\n" + faces).vertices.size(), 3u);
+  EXPECT_EQ(read("a.obj", "g a \\\nv 9 9 9\n" + faces).vertices.size(), 3u) << "a line that goes on";
+  EXPECT_EQ(read("a.obj", "v 0 0\\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").vertices.size(), 3u) << "numbers are no names";
+}
+
 TEST_F(ReadObj, RefusesDamagedFiles) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   expect_error("a.obj", vertices, "no triangles");

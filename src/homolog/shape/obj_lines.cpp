@@ -3,11 +3,27 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace homolog {
+namespace {
+
+/// Whether the next line belongs to this one. A name may itself end in a backslash, as a folder of Windows does; one that goes on has a
+/// blank before it.
+bool goes_on(std::string_view line) {
+  static constexpr std::string_view names[] = {"mtllib", "usemtl", "newmtl", "o", "g"};
+  if (line.empty() || line.back() != '\\') return false;
+  std::string_view rest = line;
+  const bool is_name = std::find(std::begin(names), std::end(names), take_word(rest)) != std::end(names);
+  return !is_name || line.find_last_of(" \t") + 2 == line.size();
+}
+
+}  // namespace
 
 bool next_whole_line(Text& text, std::string_view& line, std::string& joined) {
   if (!next_data_line(text, line)) return false;
-  if (line.back() != '\\') return true;
+  if (!goes_on(line)) return true;
   joined.clear();
   bool more = true;
   while (more && !line.empty() && line.back() == '\\') {
