@@ -6,6 +6,26 @@
 #include <algorithm>
 
 namespace homolog {
+namespace {
+
+template <class Number>
+std::vector<Number> numbers(const Text& at, const HeaderField& field, std::size_t count, std::string_view blanks,
+                            Number (*take)(Text&, std::string_view&, const char*)) {
+  Text text{at.file, {}, field.line};
+  std::string blanked(field.text);
+  std::replace_if(
+      blanked.begin(), blanked.end(), [&](char c) { return blanks.find(c) != std::string_view::npos; }, ' ');
+  std::string_view rest = blanked;
+  std::vector<Number> taken;
+  while (taken.size() < count) taken.push_back(take(text, rest, "a number of this field"));
+  if (const std::string_view more = take_word(rest); !more.empty()) {
+    fail(text, fmt::format("'{}' stands behind the {} of this field; the file is damaged", shown(more),
+                           count == 1 ? "number" : fmt::format("{} numbers", count)));
+  }
+  return taken;
+}
+
+}  // namespace
 
 void add_field(const Text& text, HeaderFields& fields, std::string name, std::string_view value) {
   const auto [field, is_new] = fields.emplace(std::move(name), HeaderField{value, text.line});
@@ -41,15 +61,14 @@ std::string other_file(const Text& text, const HeaderFields& fields, std::initia
   return file;
 }
 
-FieldNumbers::FieldNumbers(const Text& at, const HeaderField& field, std::string_view blanks)
-    : text_{at.file, {}, field.line}, blanked_(field.text) {
-  std::replace_if(
-      blanked_.begin(), blanked_.end(), [&](char c) { return blanks.find(c) != std::string_view::npos; }, ' ');
-  rest_ = blanked_;
+std::vector<double> real_numbers(const Text& at, const HeaderField& field, std::size_t count, std::string_view blanks) {
+  return numbers<double>(at, field, count, blanks, take_number);
 }
 
-double FieldNumbers::real() { return take_number(text_, rest_, "a number of this field"); }
+std::vector<long long> whole_numbers(const Text& at, const HeaderField& field, std::size_t count, std::string_view blanks) {
+  return numbers<long long>(at, field, count, blanks, take_integer);
+}
 
-long long FieldNumbers::whole() { return take_integer(text_, rest_, "a number of this field"); }
+long long whole_number(const Text& at, const HeaderField& field) { return whole_numbers(at, field, 1)[0]; }
 
 }  // namespace homolog

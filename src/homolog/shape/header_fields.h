@@ -6,6 +6,7 @@
 #include <map>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "homolog/shape/text.h"
 
@@ -35,21 +36,12 @@ std::string_view word_of(const HeaderFields& fields, std::initializer_list<std::
 /// several.
 std::string other_file(const Text& text, const HeaderFields& fields, std::initializer_list<std::string_view> names);
 
-/// Takes numbers off a field, with errors at its line.
-class FieldNumbers {
- public:
-  /// The characters in `blanks` are taken for blanks.
-  FieldNumbers(const Text& at, const HeaderField& field, std::string_view blanks = {});
-  FieldNumbers(const FieldNumbers&) = delete;
-  FieldNumbers& operator=(const FieldNumbers&) = delete;
+/// The numbers of a field. Throws FileError at its line when there are more or fewer than `count`. The characters in `blanks` are taken for
+/// blanks.
+std::vector<double> real_numbers(const Text& at, const HeaderField& field, std::size_t count, std::string_view blanks = {});
+std::vector<long long> whole_numbers(const Text& at, const HeaderField& field, std::size_t count, std::string_view blanks = {});
 
-  double real();
-  long long whole();
-
- private:
-  Text text_;
-  std::string blanked_;
-  std::string_view rest_;
-};
+/// The same for a field of one number.
+long long whole_number(const Text& at, const HeaderField& field);
 
 }  // namespace homolog

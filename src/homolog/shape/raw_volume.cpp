@@ -13,7 +13,8 @@
 namespace homolog {
 namespace {
 
-constexpr double farthest = 1e90;  // of coordinates, so that volumes stay numbers
+constexpr double farthest = 1e90;                                 // of coordinates, so that volumes stay numbers
+constexpr std::size_t most_unpacked_skip = std::size_t{1} << 20;  // bytes, which nobody counts among those that are unpacked
 
 }  // namespace
 
@@ -67,9 +68,14 @@ void take_voxels(RawVolume& volume, std::string_view behind_header, const Stored
   const std::size_t available = behind_header.size();
   const std::size_t first = from_end ? available - std::min(available, length) : static_cast<std::size_t>(stored.skip);
   if (first <= available) behind_header.remove_prefix(first);
+  const auto inner = static_cast<std::size_t>(stored.unpacked_skip);
+  if (inner > most_unpacked_skip) {
+    throw FileError(fmt::format("{}: {} unpacked bytes before the voxels are not skipped; save the volume without them", file, inner));
+  }
   volume.bytes = first > available   ? std::string()
-                 : stored.compressed ? inflate(behind_header, length, file)
+                 : stored.compressed ? inflate(behind_header, inner + length, file)
                                      : std::string(behind_header.substr(0, length));
+  volume.bytes.erase(0, inner);
   check_complete(volume, file);
 }
 

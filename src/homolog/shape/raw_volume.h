@@ -38,8 +38,9 @@ void check_complete(const RawVolume& volume, const std::string& file);
 /// How the voxels stand in the file, after the header or in a file of their own.
 struct StoredVoxels {
   bool compressed = false;
-  std::string other;      ///< the file that holds them; empty: what follows the header
-  std::int64_t skip = 0;  ///< so many bytes of it; -1: all but as many as the voxels take
+  std::string other;               ///< the file that holds them; empty: what follows the header
+  std::int64_t skip = 0;           ///< so many bytes of it; -1: all but as many as the voxels take
+  std::int64_t unpacked_skip = 0;  ///< so many bytes more, of what is unpacked
 };
 
 /// Reads the other file that a header names.

@@ -3,10 +3,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <vector>
+
 #include "homolog/shape/header_fields.h"
 
 namespace homolog {
 namespace {
+
+constexpr std::size_t looked_at = 8000;  // bytes, as MetaIO does
 
 /// All lines `Key = Value`, with blanks or without, up to ElementDataFile, which ends the header.
 HeaderFields read_fields(Text& text) {
@@ -17,20 +22,27 @@ HeaderFields read_fields(Text& text) {
     const std::size_t equals = line.find('=');
     if (equals == line.npos) fail(text, fmt::format("'{}' is not of the form 'Key = Value'; the file is damaged", shown(line)));
     const std::string key = rest_of(line.substr(0, equals));
-    add_field(text, fields, key, line.substr(equals + 1));
+    if (key != "Comment") add_field(text, fields, key, line.substr(equals + 1));  // of these there may be many
     if (key == "ElementDataFile") return fields;
   }
   fail(text, "the header ends without ElementDataFile; the file is truncated or not a MetaImage");
 }
 
-bool is_true(const HeaderFields& fields, std::initializer_list<std::string_view> names) {
-  const std::string_view value = word_of(fields, names);
-  return value == "True" || value == "true" || value == "1";
+/// As MetaIO takes it, by the first letter; what is neither would be false there.
+bool is_true(const Text& text, const HeaderFields& fields, std::initializer_list<std::string_view> names) {
+  const HeaderField* field = find_field(fields, names);
+  if (!field) return false;
+  const std::string value = rest_of(field->text);
+  const char first = value.empty() ? ' ' : value[0];
+  const bool yes = first == 'T' || first == 't' || first == '1';
+  if (!yes && first != 'F' && first != 'f' && first != '0')
+    fail({text.file, {}, field->line}, fmt::format("'{}' is neither True nor False; the file is damaged", shown(value)));
+  return yes;
 }
 
 long long whole(const Text& text, const HeaderFields& fields, std::string_view name, long long otherwise) {
   const HeaderField* field = find_field(fields, {name});
-  return field ? FieldNumbers(text, *field).whole() : otherwise;
+  return field ? whole_number(text, *field) : otherwise;
 }
 
 NumberType type_of(const Text& text, std::string_view name) {
@@ -50,8 +62,8 @@ Mat4 world_of(const Text& text, const HeaderFields& fields) {
   const auto take = [&](std::initializer_list<std::string_view> names, auto& values, int count) {
     const HeaderField* field = find_field(fields, names);
     if (!field) return;
-    FieldNumbers numbers(text, *field);
-    for (int i = 0; i < count; ++i) values(i) = numbers.real();
+    const std::vector<double> numbers = real_numbers(text, *field, static_cast<std::size_t>(count));
+    for (int i = 0; i < count; ++i) values(i) = numbers[static_cast<std::size_t>(i)];
   };
   Mat3 axes = Mat3::Identity();
   Vec3 spacing = Vec3::Ones(), origin = Vec3::Zero();
@@ -67,23 +79,28 @@ Mat4 world_of(const Text& text, const HeaderFields& fields) {
 
 }  // namespace
 
-bool is_metaimage(std::string_view content) { return content.substr(0, 10) == "ObjectType" || content.substr(0, 5) == "NDims"; }
+bool is_metaimage(std::string_view content) {
+  Text text{{}, content.substr(0, looked_at)};
+  std::string_view line;
+  while (next_line(text, line) && line.starts_with("Comment")) continue;
+  return line.starts_with("ObjectType") || line.starts_with("NDims");
+}
 
 RawVolume read_metaimage(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other) {
   Text text{file, content};
   const HeaderFields fields = read_fields(text);
   if (whole(text, fields, "NDims", 0) != 3) fail(text, "a solid needs a volume of 3 dimensions (NDims = 3)");
   if (whole(text, fields, "ElementNumberOfChannels", 1) != 1) fail(text, "its voxels have several channels; save labels, one number each");
-  if (find_field(fields, {"BinaryData"}) && !is_true(fields, {"BinaryData"})) fail(text, "its voxels are text; save them as binary");
+  if (find_field(fields, {"BinaryData"}) && !is_true(text, fields, {"BinaryData"})) fail(text, "its voxels are text; save them as binary");
   RawVolume volume;
-  FieldNumbers sizes(text, needed_field(text, fields, "DimSize"));
-  for (std::int64_t& side : volume.size) side = sizes.whole();
+  const std::vector<long long> sizes = whole_numbers(text, needed_field(text, fields, "DimSize"), 3);
+  std::copy(sizes.begin(), sizes.end(), volume.size.begin());
   volume.type = type_of(text, word_of(fields, {"ElementType"}));
-  const bool big = is_true(fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
+  const bool big = is_true(text, fields, {"BinaryDataByteOrderMSB", "ElementByteOrderMSB"});
   volume.order = big ? std::endian::big : std::endian::little;
   volume.world_from_voxel = world_of(text, fields);
   check_header(volume, file, limits);
-  StoredVoxels stored{is_true(fields, {"CompressedData"}), other_file(text, fields, {"ElementDataFile"}),
+  StoredVoxels stored{is_true(text, fields, {"CompressedData"}), other_file(text, fields, {"ElementDataFile"}),
                       whole(text, fields, "HeaderSize", 0)};
   if (stored.skip < -1) fail(text, "HeaderSize is below -1; the file is damaged");
   if (stored.other.empty()) fail(text, "ElementDataFile does not say where the voxels are; the file is damaged");

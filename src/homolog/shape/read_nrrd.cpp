@@ -23,7 +23,9 @@ HeaderFields read_fields(Text& text) {
     if (colon == std::string_view::npos || colon + 1 >= line.size())
       fail(text, "this line of the header has no field; the file is damaged");
     if (line[colon + 1] == '=') continue;  // a key of the user's own
-    add_field(text, fields, lower(line.substr(0, colon)), line.substr(colon + 1));
+    const std::string name = lower(line.substr(0, colon));
+    add_field(text, fields, name, line.substr(colon + 1));
+    if ((name == "data file" || name == "datafile") && word_of(fields, {name}) == "LIST") break;  // names of files follow to the end
   }
   return fields;
 }
@@ -47,26 +49,56 @@ NumberType type_of(const Text& text, const HeaderField& field) {
   fail({text.file, {}, field.line}, fmt::format("the type '{}' is not read; save the volume with whole numbers", shown(name)));
 }
 
+/// What turns coordinates of the file's space to LPS. Spaces may be written without hyphens; those that name no directions stay, as in ITK.
+Eigen::Vector4d lps_of_space(const Text& text, const HeaderFields& fields) {
+  if (const HeaderField* dimension = find_field(fields, {"space dimension"}); dimension && whole_number(text, *dimension) != 3)
+    fail({text.file, {}, dimension->line}, "a solid needs a space of 3 dimensions; save the volume in one");
+  const HeaderField* field = find_field(fields, {"space"});
+  if (!field) return Eigen::Vector4d::Ones();
+  const std::string given = rest_of(field->text);
+  std::string space = lower(given);
+  space.erase(std::remove_if(space.begin(), space.end(), [](char c) { return c == '-' || c == ' '; }), space.end());
+  if (space == "rightanteriorsuperior" || space == "ras") return {-1, -1, 1, 1};
+  if (space == "leftanteriorsuperior" || space == "las") return {1, -1, 1, 1};
+  for (const char* name : {"leftposteriorsuperior", "lps", "scannerxyz", "3drighthanded", "3dlefthanded"}) {
+    if (space == name) return Eigen::Vector4d::Ones();
+  }
+  fail({text.file, {}, field->line}, fmt::format("the space '{}' is not read; save the volume in left-posterior-superior, "
+                                                 "right-anterior-superior or left-anterior-superior",
+                                                 shown(given)));
+}
+
 /// Axes and origin from 'space directions' and 'space origin', else from 'spacings'.
 Mat4 world_of(const Text& text, const HeaderFields& fields) {
   Mat4 world = Mat4::Identity();
   if (const HeaderField* directions = find_field(fields, {"space directions"})) {
-    FieldNumbers numbers(text, *directions, blanks);
-    for (int i = 0; i < 9; ++i) world(i % 3, i / 3) = numbers.real();
+    const std::vector<double> numbers = real_numbers(text, *directions, 9, blanks);
+    for (int i = 0; i < 9; ++i) world(i % 3, i / 3) = numbers[static_cast<std::size_t>(i)];
   } else if (const HeaderField* spacings = find_field(fields, {"spacings"})) {
-    FieldNumbers numbers(text, *spacings, blanks);
-    for (int axis = 0; axis < 3; ++axis) world(axis, axis) = numbers.real();
+    const std::vector<double> numbers = real_numbers(text, *spacings, 3, blanks);
+    for (int axis = 0; axis < 3; ++axis) world(axis, axis) = numbers[static_cast<std::size_t>(axis)];
   }
   if (const HeaderField* origin = find_field(fields, {"space origin"})) {
-    FieldNumbers numbers(text, *origin, blanks);
-    for (int axis = 0; axis < 3; ++axis) world(axis, 3) = numbers.real();
+    const std::vector<double> numbers = real_numbers(text, *origin, 3, blanks);
+    for (int axis = 0; axis < 3; ++axis) world(axis, 3) = numbers[static_cast<std::size_t>(axis)];
   }
   if (const HeaderField* mins = find_field(fields, {"axis mins", "axismins"}))
     fail({text.file, {}, mins->line}, "'axis mins' are not read; save the volume with 'space directions' and 'space origin'");
-  const std::string space = lower(word_of(fields, {"space"}));
-  if (space == "right-anterior-superior" || space == "ras") return Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world;
-  if (space == "left-anterior-superior" || space == "las") return Eigen::Vector4d(1, -1, 1, 1).asDiagonal() * world;
-  return world;
+  return lps_of_space(text, fields).asDiagonal() * world;
+}
+
+/// An axis of anything but space would pass for a side of the solid.
+void check_kinds(const Text& text, const HeaderFields& fields) {
+  const HeaderField* kinds = find_field(fields, {"kinds"});
+  if (!kinds) return;
+  static constexpr std::string_view known[] = {"domain", "space", "none", "???"};
+  std::string_view rest = kinds->text;
+  for (std::string_view kind = take_word(rest); !kind.empty(); kind = take_word(rest)) {
+    if (std::find(std::begin(known), std::end(known), lower(kind)) != std::end(known)) continue;
+    fail({text.file, {}, kinds->line},
+         fmt::format("an axis of the kind '{}' is not one of space; save the labels alone, as a volume of three axes of space",
+                     shown(kind)));
+  }
 }
 
 StoredVoxels stored_as(const Text& text, const HeaderFields& fields) {
@@ -76,12 +108,13 @@ StoredVoxels stored_as(const Text& text, const HeaderFields& fields) {
   if (!stored.compressed && encoding != "raw") {
     fail(text, fmt::format("the encoding '{}' is not read; save the volume as raw or gzip", shown(encoding)));
   }
-  if (const HeaderField* skip = find_field(fields, {"line skip"}); skip && FieldNumbers(text, *skip, blanks).whole() != 0) {
+  if (const HeaderField* skip = find_field(fields, {"line skip"}); skip && whole_number(text, *skip) != 0) {
     fail({text.file, {}, skip->line}, "lines before the voxels are not skipped; save the volume without them");
   }
   if (const HeaderField* skip = find_field(fields, {"byte skip"})) {
-    stored.skip = FieldNumbers(text, *skip, blanks).whole();
-    if (stored.skip < -1) fail({text.file, {}, skip->line}, "so many bytes cannot be skipped; the file is damaged");
+    const long long bytes = whole_number(text, *skip);
+    if (bytes < -1) fail({text.file, {}, skip->line}, "so many bytes cannot be skipped; the file is damaged");
+    (stored.compressed && bytes > 0 ? stored.unpacked_skip : stored.skip) = bytes;
   }
   stored.other = other_file(text, fields, {"data file", "datafile"});
   return stored;
@@ -97,11 +130,12 @@ RawVolume read_nrrd(std::string_view content, const std::string& file, const Rea
   if (!is_nrrd(content) || !next_line(text, line)) fail(text, "this is not a NRRD file (its first line is not 'NRRD000')");
   const HeaderFields fields = read_fields(text);
   const HeaderField& dimension = needed_field(text, fields, "dimension");
-  if (FieldNumbers(text, dimension, blanks).whole() != 3)
+  if (whole_number(text, dimension) != 3)
     fail({file, {}, dimension.line}, "a solid needs a volume of 3 dimensions; save the one that is meant alone");
+  check_kinds(text, fields);
   RawVolume volume;
-  FieldNumbers sizes(text, needed_field(text, fields, "sizes"), blanks);
-  for (std::int64_t& side : volume.size) side = sizes.whole();
+  const std::vector<long long> sizes = whole_numbers(text, needed_field(text, fields, "sizes"), 3);
+  std::copy(sizes.begin(), sizes.end(), volume.size.begin());
   volume.type = type_of(text, needed_field(text, fields, "type"));
   const std::string order = lower(word_of(fields, {"endian"}));
   volume.order = order == "big" ? std::endian::big : std::endian::little;

@@ -11,8 +11,10 @@ namespace homolog {
 
 bool is_nrrd(std::string_view content);
 
-/// The volume in the bytes of a NRRD file; `file` is its name for messages. The spaces RAS and LAS are turned to LPS, all others stay.
-/// Throws FileError (truncated, malformed, not of three dimensions, encodings other than raw and gzip, more voxels than allowed).
+/// The volume in the bytes of a NRRD file; `file` is its name for messages. The spaces RAS and LAS are turned to LPS; those that
+/// name no directions (scanner-xyz, 3D-right-handed, 3D-left-handed, or none) are taken for it.
+/// Throws FileError (truncated, malformed, not of three dimensions of space, other spaces, encodings other than raw and gzip, more voxels
+/// than allowed).
 RawVolume read_nrrd(std::string_view content, const std::string& file, const ReadLimits& limits, const ReadOther& read_other);
 
 }  // namespace homolog
