@@ -20,6 +20,9 @@ struct Layout {
   bool wide;
 };
 
+constexpr std::size_t extender = 4;      // bytes behind the header, the first of which tells whether extensions follow
+constexpr double rounding = 3 * 1.2e-7;  // of squares of floats, as nibabel allows
+
 constexpr Layout version1{348, 344, 40, 70, 76, 108, 112, 116, 252, 254, 256, 268, 280, false};
 constexpr Layout version2{540, 4, 16, 12, 104, 168, 176, 184, 344, 348, 352, 376, 400, true};
 
@@ -68,30 +71,41 @@ NumberType type_of(int code, const std::string& file) {
   throw FileError(fmt::format("{}: values of NIfTI type {} are no labels; save the volume with whole numbers", file, code));
 }
 
-Mat4 qform_of(const Header& header) {
+/// Of the axis from 0. Other readers take sizes below 0 for mirrored axes or for their magnitudes.
+double voxel_size(const Header& header, int axis, const std::string& file) {
+  const double size = header.real(header.layout->pixdim, static_cast<std::size_t>(axis) + 1);
+  if (!(size > 0)) throw FileError(fmt::format("{}: a size of voxels in the header is {}, not above 0; the file is damaged", file, size));
+  return size;
+}
+
+Mat4 qform_of(const Header& header, const std::string& file) {
   const Layout& layout = *header.layout;
   const double b = header.real(layout.quaternion, 0), c = header.real(layout.quaternion, 1), d = header.real(layout.quaternion, 2);
-  const double a = std::sqrt(std::max(0.0, 1 - (b * b + c * c + d * d)));
+  const double rest = 1 - (b * b + c * c + d * d);
+  if (rest < -rounding) {
+    throw FileError(fmt::format("{}: the quaternion in the header is longer than 1; the file is damaged", file));
+  }
+  const double a = std::sqrt(std::max(0.0, rest));
   Mat4 world = Mat4::Identity();
   world.topLeftCorner<3, 3>() = Eigen::Quaterniond(a, b, c, d).normalized().toRotationMatrix();  // three may be too long, as rounded
   for (int axis = 0; axis < 3; ++axis) {
-    world.col(axis) *= header.real(layout.pixdim, static_cast<std::size_t>(axis) + 1);
+    world.col(axis) *= voxel_size(header, axis, file);
     world(axis, 3) = header.real(layout.shift, static_cast<std::size_t>(axis));
   }
   if (header.real(layout.pixdim, 0) < 0) world.col(2) *= -1;
   return world;
 }
 
-/// To the right, before, up (RAS), as the header has it.
-Mat4 world_of(const Header& header) {
+/// To the right, before, up (RAS), as the header has it. Where it has nothing but sizes ("method 1") the standard knows no directions.
+Mat4 world_of(const Header& header, const std::string& file) {
   const Layout& layout = *header.layout;
   Mat4 world = Mat4::Identity();
   if (header.code(layout.sform) > 0) {
     for (int i = 0; i < 12; ++i) world(i / 4, i % 4) = header.real(layout.rows, static_cast<std::size_t>(i));
     return world;
   }
-  if (header.code(layout.qform) > 0) return qform_of(header);
-  for (int axis = 0; axis < 3; ++axis) world(axis, axis) = header.real(layout.pixdim, static_cast<std::size_t>(axis) + 1);
+  if (header.code(layout.qform) > 0) return qform_of(header, file);
+  for (int axis = 0; axis < 3; ++axis) world(axis, axis) = voxel_size(header, axis, file);
   return world;
 }
 
@@ -105,17 +119,36 @@ void check_dimensions(const Header& header, const std::string& file) {
   }
 }
 
+/// The byte at which the voxels begin: 0 stands for the first place where they may, if there are no extensions before them.
+std::size_t first_voxel(const Header& header, const std::string& file) {
+  const Layout& layout = *header.layout;
+  const double offset =
+      layout.wide ? static_cast<double>(field<std::int64_t>(header.bytes, layout.offset, header.order)) : header.real(layout.offset, 0);
+  const bool extended = header.bytes.size() > layout.header && header.bytes[layout.header] != 0;
+  if (offset == 0 && !extended) return layout.header + extender;
+  if (!(offset >= static_cast<double>(layout.header) && offset <= 1e6)) {
+    throw FileError(fmt::format("{}: the voxels begin at byte {}, which is no place for them; the file is damaged", file, offset));
+  }
+  return static_cast<std::size_t>(offset);
+}
+
+/// The bytes of the header and of what tells whether extensions follow.
+std::string begin_of(std::string_view content, const std::string& file) {
+  constexpr std::size_t most = version2.header + extender;
+  return is_gzip(content) ? inflate(content, most, file) : std::string(content.substr(0, most));
+}
+
 }  // namespace
 
 bool is_nifti(std::string_view content, const std::string& file) {
-  const std::string begin = is_gzip(content) ? inflate(content, version2.header, file) : std::string(content.substr(0, version2.header));
+  const std::string begin = begin_of(content, file);
   const Header header = find_layout(begin);
   return header.layout && (begin.substr(header.layout->magic, 2) == "n+" || begin.substr(header.layout->magic, 2) == "ni");
 }
 
 RawVolume read_nifti(std::string_view content, const std::string& file, const ReadLimits& limits) {
   const bool compressed = is_gzip(content);
-  const std::string begin = compressed ? inflate(content, version2.header, file) : std::string(content.substr(0, version2.header));
+  const std::string begin = begin_of(content, file);
   const Header header = find_layout(begin);
   if (!header.layout) throw FileError(fmt::format("{}: this is not a NIfTI file, or its header is truncated", file));
   const Layout& layout = *header.layout;
@@ -125,7 +158,7 @@ RawVolume read_nifti(std::string_view content, const std::string& file, const Re
   check_dimensions(header, file);
   RawVolume volume;
   for (std::size_t axis = 0; axis < 3; ++axis) volume.size[axis] = header.dim(axis + 1);
-  volume.world_from_voxel = Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world_of(header);  // LPS
+  volume.world_from_voxel = Eigen::Vector4d(-1, -1, 1, 1).asDiagonal() * world_of(header, file);  // LPS
   volume.type = type_of(field<std::int16_t>(begin, layout.datatype, header.order), file);
   volume.order = header.order;
   const double slope = header.real(layout.slope, 0), intercept = header.real(layout.intercept, 0);
@@ -134,13 +167,7 @@ RawVolume read_nifti(std::string_view content, const std::string& file, const Re
     volume.intercept = intercept;
   }
   check_header(volume, file, limits);
-  const double offset =
-      layout.wide ? static_cast<double>(field<std::int64_t>(begin, layout.offset, header.order)) : header.real(layout.offset, 0);
-  const std::size_t length = volume.voxels() * bytes_of(volume.type);
-  if (!(offset >= static_cast<double>(layout.header) && offset <= 1e6)) {
-    throw FileError(fmt::format("{}: the voxels begin at byte {}, which is no place for them; the file is damaged", file, offset));
-  }
-  const auto first = static_cast<std::size_t>(offset);
+  const std::size_t first = first_voxel(header, file), length = volume.voxels() * bytes_of(volume.type);
   volume.bytes = compressed ? inflate(content, first + length, file) : std::string(content.substr(0, first + length));
   volume.bytes.erase(0, first);
   check_complete(volume, file);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// NIfTI-1 and NIfTI-2 volumes in one file, plain or gzipped [cox2004].
+// NIfTI-1 and NIfTI-2 volumes in one file, plain or gzipped [cox2004]. Read by ourselves: the header has a dozen fields that matter, and
+// Debian's libnifti takes truncated files for whole ones.
 #pragma once
 
 #include <string>
