@@ -46,6 +46,14 @@ TEST_F(ReadVolume, EveryFormatLiesInTheSamePlace) {
   }
 }
 
+TEST_F(ReadVolume, WhatIsOnlyNamedAsAVolumeIsTold) {
+  std::string nameless = volumes::nifti();
+  nameless[344] = 0;  // magic
+  expect_error("a.nii", nameless, "it does not begin as .nii files do");
+  for (const char* name : {"b.nrrd", "c.nhdr", "d.mha", "e.mhd"})
+    expect_error(name, std::string(400, '\0'), "it does not begin as");
+}
+
 TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
   write("voxels.raw", "skipped" + volumes::voxels());
   expect_box_of_ones(read("a.nhdr", volumes::nrrd(false, true, "data file: voxels.raw\nbyte skip: 7\n", "")));
@@ -60,18 +68,27 @@ TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
   expect_error("d.mhd", volumes::metaimage(false, "../plain.raw"), "outside its folder");
   expect_error("e.nhdr", volumes::nrrd(false, true, "data file: /etc/passwd\n", ""), "outside its folder");
   expect_error("f.mhd", volumes::metaimage(false, "no\1ne.raw"), "it names the file 'no?ne.raw', which is not there");
+  write("empty.raw", "");
+  expect_error("g.nhdr", volumes::nrrd(false, true, "data file: .\n", ""), "it needs the file '.', but that is a directory");
+  expect_error("g.nhdr", volumes::nrrd(false, true, "data file: .\n", ""), ": this is a directory; name a file in it");
+  expect_error("h.mhd", volumes::metaimage(false, "empty.raw"), "empty.raw: the file is empty");
 }
 
 TEST_F(ReadVolume, TheLabelIsChosenOrAskedFor) {
   const std::string both = volumes::nifti(true, std::endian::little, volumes::voxels(true));
-  expect_error("a.nii", both, "it holds the labels 1, 2; say which one is meant (--label N, 0 for all)");
+  expect_error("a.nii", both, "it holds the labels 1, 2; say which one is meant by its label (0 for all), or save that one alone");
   expect_box_of_ones(read_mesh(write("a.nii", both), {}, 1));
   const Box twos = bounding_box(read_mesh(write("a.nii", both), {}, 2)), all = bounding_box(read_mesh(write("a.nii", both), {}, 0));
   EXPECT_NEAR(twos.min.x(), -10 - 2 * 6.5, 0.2);
   EXPECT_NEAR(twos.max.x(), -10 - 2 * 4.5, 0.2);
   EXPECT_NEAR(all.max.x() - all.min.x(), 2 * 6, 2 * 2 * 0.2);
   EXPECT_THROW(read_mesh(write("a.nii", both), {}, 3), FileError);
-  EXPECT_THROW(read_mesh(write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}, 3), FileError);
+  try {
+    read_mesh(write("a.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n"), {}, 3);
+    ADD_FAILURE() << "no FileError";
+  } catch (const FileError& error) {
+    EXPECT_NE(std::string(error.what()).find("a.off: it holds no labels; leave the label out"), std::string::npos) << error.what();
+  }
 }
 
 TEST_F(ReadVolume, ScaleInAFloatLeavesLabelsWhole) {
@@ -99,6 +116,7 @@ TEST_F(ReadVolume, TheBackgroundIsNoShapeUnlessAskedFor) {
   for (char& voxel : inverted) voxel = voxel == 0;
   const auto file = [](const std::string& voxels) { return volumes::nifti(true, std::endian::little, voxels); };
   expect_error("a.nii", file(inverted), "the label 1 fills the border of the volume, as a background does");
+  expect_error("a.nii", file(inverted), "save the shape as a label of its own, or name this label");
   EXPECT_FALSE(read_mesh(write("a.nii", file(inverted)), {}, 1).triangles.empty());
   EXPECT_FALSE(read("b.nii", file(block)).triangles.empty()) << "a block is one, even if nothing is left around it";
 }

@@ -56,7 +56,8 @@ long long chosen(const std::set<long long>& labels, const Label& label, const st
                                std::next(labels.begin(), static_cast<std::ptrdiff_t>(std::min(labels.size(), shown_labels))));
   const std::string list = fmt::format("{}{}", fmt::join(first, ", "), labels.size() > shown_labels ? ", ..." : "");
   if (label) throw FileError(fmt::format("{}: there is no label {}, but {}", file, *label, list));
-  throw FileError(fmt::format("{}: it holds the labels {}; say which one is meant (--label N, 0 for all)", file, list));
+  throw FileError(
+      fmt::format("{}: it holds the labels {}; say which one is meant by its label (0 for all), or save that one alone", file, list));
 }
 
 /// Is this the background, or the shape with all around it? It fills the border of the volume, and more than it is a block.
@@ -117,8 +118,8 @@ Mesh label_surface(const RawVolume& volume, const Label& label, const std::strin
   if (!label && is_background(volume, inside)) {
     throw FileError(
         fmt::format("{}: the label {} fills the border of the volume, as a background does, and there is no other; save the "
-                    "shape as a label of its own, or ask for this one (--label {})",
-                    file, wanted, wanted));
+                    "shape as a label of its own, or name this label",
+                    file, wanted));
   }
   const Crop crop = crop_to(volume, inside);
   const SolidVoxels solid = solid_in(crop, volume, inside);

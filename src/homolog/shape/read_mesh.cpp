@@ -135,7 +135,7 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
 Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
   const std::string content = read_file(path, limits.bytes);
   const std::optional<RawVolume> volume = read_volume(content, path, limits);
-  if (label && !volume) throw FileError(fmt::format("{}: it holds no labels to choose one from; leave the label out", path.string()));
+  if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave the label out", path.string()));
   if (!volume && !is_3mf(content)) refuse_foreign(content, lower_extension(path), path.string());
   Mesh mesh = volume ? label_surface(*volume, label, path.string()) : read_content(path, without_byte_order_mark(content), limits);
   if (!volume && states_ras(content)) mesh.ras = true;
