@@ -26,6 +26,12 @@ Target threemf() {
           }};
 }
 
-Target threemf_parts() { return {"3mf_parts", {zip::model(), zip::assembly() + '\0' + zip::model()}, run_parts}; }
+Target threemf_parts() {
+  return {"3mf_parts",
+          {zip::model(), zip::assembly() + '\0' + zip::model(),
+           R"(<model xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p q"><build>)"
+           R"(<item objectid="1" printable="0"/></build></model>)"},
+          run_parts};
+}
 
 }  // namespace homolog::fuzz

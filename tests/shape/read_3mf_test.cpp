@@ -29,6 +29,22 @@ TEST_F(Read3mf, LeavesOutWhatIsNotPrinted) {
   const std::string both = R"(<item objectid="7"/><item objectid="1"/>)";
   EXPECT_EQ(read("a.3mf", zip::threemf(zip::model(support, both))).triangles.size(), 4u);
   expect_error("a.3mf", zip::threemf(zip::model(support, R"(<item objectid="7"/>)")), "no triangles");
+  const std::string twice = R"(<item objectid="1" printable="1"/><item objectid="1" printable="0" transform="1 0 0 0 1 0 0 0 1 9 9 9"/>)";
+  EXPECT_EQ(bounding_box(read("a.3mf", zip::threemf(zip::model("", twice)))).max,
+            bounding_box(read("b.3mf", zip::threemf(zip::model()))).max);
+  expect_error("a.3mf", zip::threemf(zip::model("", R"(<item objectid="1" printable="0"/>)")), "none of its objects is to be built");
+}
+
+TEST_F(Read3mf, RefusesExtensionsThatItDoesNotKnow) {
+  const auto requiring = [](const std::string& name) {
+    return zip::threemf(with(zip::model(), "<model", "<model xmlns:q=\"" + name + "\" requiredextensions=\"q\""));
+  };
+  const std::string known = "http://schemas.microsoft.com/3dmanufacturing/";
+  EXPECT_EQ(read("a.3mf", requiring(known + "production/2015/06")).triangles.size(), 4u);
+  EXPECT_EQ(read("a.3mf", requiring(known + "material/2015/02")).triangles.size(), 4u);
+  const std::string lattice = known + "beamlattice/2017/02";
+  expect_error("a.3mf", requiring(lattice), "it needs the extension '" + lattice + "', which is not read; export it without");
+  expect_error("a.3mf", zip::threemf(with(zip::model(), "<model", "<model requiredextensions=\"z\"")), "it needs the extension 'z'");
 }
 
 TEST_F(Read3mf, IsKnownByWhatIsInIt) { EXPECT_EQ(read("a.zip", zip::threemf(zip::model())).triangles.size(), 4u); }

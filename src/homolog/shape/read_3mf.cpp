@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 #include <map>
 #include <utility>
 #include <vector>
@@ -17,8 +19,9 @@ namespace homolog {
 namespace {
 
 constexpr std::string_view model_relation = "/3dmodel";
-constexpr int deepest = 64;                   // of components in components
-constexpr std::size_t most_placed = 100'000;  // objects
+constexpr int deepest = 64;                                                                                  // of components in components
+constexpr std::size_t most_placed = 100'000;                                                                 // objects
+constexpr std::string_view known_extensions[] = {"/core/", "/production/", "/material/", "/trianglesets/"};  // the last two say no form
 
 /// An object where it stands, perhaps in another part of the archive.
 struct Placed {
@@ -69,12 +72,14 @@ class Reader {
       : part_(std::move(part)), file_(file), most_triangles_(most_triangles) {}
 
   bool begin(const XmlElement& element) {
-    if (element.name == "object") {
+    if (element.name == "model") {
+      check_extensions(element);
+    } else if (element.name == "object") {
       object_ = &model.objects[std::string(element.attribute("id"))];
       const std::string_view type = element.attribute("type");
       object_->is_left_out = type == "other" || type == "support" || type == "solidsupport";
     } else if (element.name == "item") {
-      model.items.push_back(placed(element));
+      if (element.attribute("printable") != "0") model.items.push_back(placed(element));
     } else if (object_ && element.name == "component") {
       object_->components.push_back(placed(element));
     } else if (object_ && element.name == "vertex") {
@@ -89,6 +94,21 @@ class Reader {
   Model model;
 
  private:
+  /// A model names extensions without which it is something else, by the prefixes of their namespaces.
+  void check_extensions(const XmlElement& element) const {
+    std::string_view prefixes = element.attribute("requiredextensions");
+    for (std::string_view prefix = take_word(prefixes); !prefix.empty(); prefix = take_word(prefixes)) {
+      const std::string_view name = element.attribute(prefix);
+      const bool is_known = std::any_of(std::begin(known_extensions), std::end(known_extensions), [&](std::string_view known) {
+        return name.starts_with("http://schemas.microsoft.com/3dmanufacturing/") && name.find(known) != name.npos;
+      });
+      if (!is_known) {
+        throw FileError(fmt::format("{}: it needs the extension '{}', which is not read; export it without", file_,
+                                    shown(name.empty() ? prefix : name, 100)));
+      }
+    }
+  }
+
   Placed placed(const XmlElement& element) const {
     const std::string_view path = element.attribute("path");
     return {path.empty() ? part_ : part_of(path), std::string(element.attribute("objectid")), transform_of(element, file_)};
