@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include "fixtures/capsule.h"
+#include "fixtures/skinned_capsule.h"
 #include "fixtures/solids.h"
+#include "homolog/match/carry_attributes.h"
+#include "homolog/outputs/attributes_gltf.h"
+#include "homolog/shape/read_gltf_attributes.h"
 
 namespace homolog {
 namespace {
@@ -73,6 +76,32 @@ void expect_same_walk(Chirality chirality) {
 TEST(CarryAnimations, MovesAPosedCapsuleAsTheOtherOne) { expect_same_walk(Chirality::proper); }
 
 TEST(CarryAnimations, MovesAMirroredOneAsAMirrorShows) { expect_same_walk(Chirality::mirrored); }
+
+AttributedMesh read_glb(const std::string& glb) {
+  return read_gltf_attributes(
+      glb, "a.glb", [](const std::string&) -> std::optional<std::string> { return {}; }, 1'000'000);
+}
+
+TEST(CarryAnimations, ShowsWhatARigBelowAScaledArmatureDoes) {
+  Walkers walkers(Chirality::proper);
+  const capsule::SkinnedFile file;
+  const AttributedMesh giver = read_glb(file.glb());
+  for (std::size_t i = 0; i < walkers.receiver.vertices.size(); ++i)
+    walkers.receiver.vertices[i] = walkers.place_of(file.shown.vertices[i]);
+  const AttributedMesh carried = carry_attributes(giver, walkers.receiver, walkers.places, Chirality::proper);
+  const AttributedMesh again = read_glb(attributes_gltf(carried, "b.glb", "a.glb")[0].contents);
+  ASSERT_EQ(giver.animations.size(), 1u);
+  ASSERT_EQ(again.animations.size(), 1u);
+  const std::vector<Pose> end{again.animations[0].poses[0].back(), again.animations[0].poses[1].back()};
+  const std::vector<Vec3> is = capsule::posed(again.mesh, again.rig, end), wanted = capsule::bent(file.shown, file.rig, 1);
+  ASSERT_EQ(is.size(), wanted.size());
+  double most = 0;
+  for (std::size_t i = 0; i < is.size(); ++i) {
+    EXPECT_LT((again.mesh.vertices[i] - walkers.receiver.vertices[i]).norm(), 1e-4) << "it stands where it stood";
+    most = std::max(most, (is[i] - walkers.place_of(wanted[i])).norm());
+  }
+  EXPECT_LT(most, 0.01 * bounding_box(walkers.receiver).diagonal());
+}
 
 }  // namespace
 }  // namespace homolog

@@ -67,6 +67,18 @@ std::map<std::vector<float>, std::vector<double>> told_triangles(const Attribute
   return told;
 }
 
+/// The mesh on the very vertices of another one, none of which is further away than shape keys in single precision leave it.
+AttributedMesh laid_on(AttributedMesh mesh, const Mesh& other) {
+  for (Vec3& vertex : mesh.mesh.vertices) {
+    const auto nearest = std::min_element(other.vertices.begin(), other.vertices.end(), [&](const Vec3& a, const Vec3& b) {
+      return (a - vertex).squaredNorm() < (b - vertex).squaredNorm();
+    });
+    EXPECT_LT((*nearest - vertex).norm(), 1e-6);
+    vertex = *nearest;
+  }
+  return mesh;
+}
+
 TEST(AttributesGltf, IsReadAsItWasWritten) {
   const AttributedMesh mesh = capsule_with_everything();
   for (const char* name : {"there/b.glb", "there/b c.gltf"}) {
@@ -76,7 +88,7 @@ TEST(AttributesGltf, IsReadAsItWasWritten) {
     const std::size_t count = mesh.mesh.vertices.size();
     ASSERT_GT(again.mesh.vertices.size(), count) << "a primitive for every material, vertices split at the seam";
     EXPECT_EQ(again.texturing.materials.size(), 2u);
-    const auto told = told_triangles(again), wanted = told_triangles(mesh);
+    const auto told = told_triangles(laid_on(again, mesh.mesh)), wanted = told_triangles(mesh);
     ASSERT_EQ(told.size(), wanted.size());
     for (const auto& [place, uvs] : wanted) {
       ASSERT_TRUE(told.count(place));

@@ -7,7 +7,6 @@
 
 #include "homolog/base/errors.h"
 #include "homolog/outputs/glb.h"
-#include "homolog/shape/gltf_table.h"
 #include "homolog/shape/read_attributes.h"
 #include "shape/files.h"
 
@@ -17,7 +16,8 @@ namespace {
 using nlohmann::ordered_json;
 using testing::HasSubstr;
 
-/// A square of two triangles on a node that turns, scales and shifts it, with everything that is read.
+/// A square of two triangles, whose joints turn, scale and shift it below a node that does, with everything that is read. The node of the
+/// mesh stands elsewhere, which moves no mesh with a skin.
 struct File {
   GltfContent content;
   ordered_json json;
@@ -43,15 +43,15 @@ struct File {
     json = {{"scene", 0},
             {"scenes", {{{"nodes", {0, 1}}}}},
             {"nodes",
-             {{{"mesh", 0},
-               {"skin", 0},
+             {{{"mesh", 0}, {"skin", 0}, {"scale", {3, 3, 3}}, {"translation", {1, 2, 3}}},
+              {{"name", "armature"},
+               {"children", {2}},
                {"scale", {2, 2, 2}},
                {"rotation", {0, 0, 0.70710678118654757, 0.70710678118654757}},
                {"translation", {0, 0, 5}}},
-              {{"name", "armature"}, {"children", {2}}},
               {{"name", "root"}, {"children", {3}}},
               {{"name", "between"}, {"children", {4}}},
-              {{"name", "tip"}, {"translation", {7, 7, 7}}}}},
+              {{"name", "tip"}, {"translation", {1, 0, 0}}}}},
             {"meshes", {{{"primitives", {primitive}}, {"weights", {0.5}}, {"extras", {{"targetNames", {"up"}}}}}}},
             {"skins", {{{"joints", {2, 4}}, {"inverseBindMatrices", matrices}}}},
             {"materials",
@@ -79,7 +79,7 @@ AttributedMesh read(const File& file, const FindOther& find_other = a_picture) {
 TEST(ReadGltfAttributes, ReadsAllThatIsOnTheMesh) {
   const AttributedMesh mesh = read({});
   ASSERT_EQ(mesh.mesh.vertices.size(), 4u);
-  EXPECT_TRUE(mesh.mesh.vertices[1].isApprox(Vec3(0, 2, 5), 1e-6)) << "turned by a quarter about z, twice as large, shifted";
+  EXPECT_TRUE(mesh.mesh.vertices[1].isApprox(Vec3(0, 2, 5), 1e-6)) << "turned by a quarter about z, twice as large, shifted, by the joints";
   EXPECT_EQ(mesh.mesh.triangles[1], (std::array<std::uint32_t, 3>{0, 2, 3}));
   EXPECT_NEAR(mesh.colours[1][0], 0.5019, 1e-3) << "55 / 255 of the light is half as bright on a screen";
   EXPECT_EQ(mesh.colours[2][3], 0);
@@ -150,9 +150,9 @@ TEST(ReadGltfAttributes, ReadsWhereJointsMove) {
   const Animation& course = mesh.animations[0];
   EXPECT_EQ(course.name, "course");
   EXPECT_THAT(course.times, testing::ElementsAre(0, 2));
-  EXPECT_TRUE(course.poses[0][1].shift.isZero());
-  EXPECT_TRUE(course.poses[1][0].shift.isApprox(Vec3(7, 7, 7), 1e-6)) << "in its parent, the root";
-  EXPECT_TRUE(course.poses[1][1].shift.isApprox(Vec3(7, 11, 7), 1e-6));
+  EXPECT_TRUE(course.poses[0][1].shift.isApprox(Vec3(0, 0, 5), 1e-6)) << "where its node stands";
+  EXPECT_TRUE(course.poses[1][0].shift.isApprox(Vec3(1, 0, 0), 1e-6)) << "in its parent, the root";
+  EXPECT_TRUE(course.poses[1][1].shift.isApprox(Vec3(1, 4, 0), 1e-6));
   EXPECT_THAT(course.weights[0], testing::ElementsAre(0.5, 0.5)) << "as it is";
   EXPECT_EQ(told_attributes(mesh), "colours, UVs, 1 material, weights of 2 joints, 1 shape key, 1 animation");
 }
@@ -199,21 +199,20 @@ TEST_F(ReadGltfAttributesFromFile, LiesWhereReadMeshPutsIt) {
   }
 }
 
-TEST(ReadGltfAttributes, ReadsABufferWithinTheText) {
-  const GltfFile gltf =
-      read_gltf_file(R"({"buffers": [{"byteLength": 5, "uri": "data:application/octet-stream;base64,AQIDBAU="}]})", "a.gltf", nothing);
-  EXPECT_EQ(gltf.buffers.at(0), "\1\2\3\4\5");
-}
-
-TEST(ReadGltfTable, PutsSparseRowsIntoTheOthers) {
-  GltfContent content;
-  add_table(content, Floats{1, 2, 3}, 1, GltfTarget::none);
-  add_table(content, std::vector<std::uint16_t>{2}, 1, GltfTarget::none);
-  add_table(content, Floats{9}, 1, GltfTarget::none);
-  content.accessors[0]["sparse"] = {
-      {"count", 1}, {"indices", {{"bufferView", 1}, {"componentType", 5123}}}, {"values", {{"bufferView", 2}}}};
-  const std::string glb = glb_bytes(gltf_document(ordered_json::object(), content), content);
-  EXPECT_EQ(read_gltf_table(read_gltf_file(glb, "a.glb", nothing), 0, {"it", {1}, {}}).values, (std::vector<double>{1, 2, 9}));
+TEST(ReadGltfAttributes, ReadsPositionsThatAreOnlySparse) {
+  File file;
+  const int rows = add_table(file.content, std::vector<std::uint16_t>{1, 3}, 1, GltfTarget::none),
+            values = add_table(file.content, Floats{1, 0, 0, 0, 3, 0}, 3, GltfTarget::none);
+  file.accessor(0).erase("bufferView");
+  file.accessor(0)["sparse"] = {{"count", 2},
+                                {"indices", {{"bufferView", file.accessor(rows)["bufferView"]}, {"componentType", 5123}}},
+                                {"values", {{"bufferView", file.accessor(values)["bufferView"]}}}};
+  const std::vector<Vec3> vertices = read(file).mesh.vertices;
+  EXPECT_TRUE(vertices[1].isApprox(Vec3(0, 2, 5), 1e-6)) << "given";
+  EXPECT_TRUE(vertices[2].isApprox(Vec3(0, 0, 5), 1e-6)) << "not given: at the origin, which the joints shift";
+  EXPECT_TRUE(vertices[3].isApprox(Vec3(-6, 0, 5), 1e-6));
+  file.accessor(0)["count"] = 4'000'000'000;
+  EXPECT_THROW(read(file), FileError) << "before it takes memory";
 }
 
 /// What is said of a file that was spoilt.
@@ -270,6 +269,13 @@ TEST(ReadGltfAttributes, RefusesWhatIsDamaged) {
               HasSubstr("sampler 4 of an animation does not exist"));
   EXPECT_EQ(refusal([](File& f) { f.json["extensionsRequired"] = {"KHR_draco_mesh_compression"}; }),
             "a.glb: its meshes are compressed (KHR_draco_mesh_compression), which is not read; export it without compression");
+  EXPECT_EQ(refusal([](File& f) {
+              f.accessor(0).erase("bufferView");  // not required, and yet there is nothing else
+              f.primitive()["extensions"]["KHR_draco_mesh_compression"]["bufferView"] = 0;
+            }),
+            "a.glb: its meshes are compressed (KHR_draco_mesh_compression), which is not read; export it without compression");
+  EXPECT_EQ(refusal([](File& f) { f.json["nodes"][0]["extensions"]["EXT_mesh_gpu_instancing"] = ordered_json::object(); }),
+            "a.glb: it needs the extension 'EXT_mesh_gpu_instancing', which is not read; export it without");
 }
 
 TEST(ReadGltfAttributes, RefusesTooMuch) {

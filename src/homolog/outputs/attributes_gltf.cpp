@@ -131,10 +131,19 @@ struct Tables {
   ordered_json attributes = ordered_json::object(), targets = ordered_json::array();
 };
 
+/// The vertices without any shape key: as the keys' weights are applied to them, they then are as the mesh has them.
+std::vector<Vec3> vertices_without_keys(const AttributedMesh& mesh) {
+  std::vector<Vec3> vertices = mesh.mesh.vertices;
+  for (const ShapeKey& key : mesh.shape_keys) {
+    for (std::size_t i = 0; i < vertices.size() && key.weight != 0; ++i) vertices[i] -= key.weight * key.displacements[i];
+  }
+  return vertices;
+}
+
 Tables add_tables(GltfContent& content, const AttributedMesh& mesh, const std::vector<Triangle>& triangles, const Split& split,
                   const Vec3& origin) {
   Tables tables;
-  const std::vector<Vec3>& vertices = mesh.mesh.vertices;
+  const std::vector<Vec3> vertices = vertices_without_keys(mesh);
   const Floats positions = floats_of(spread(vertices, split), origin), normals = normals_of(vertices, triangles, split);
   tables.attributes["POSITION"] = add_bounded_table(content, positions, 3, GltfTarget::vertices);
   tables.attributes["NORMAL"] = add_table(content, normals, 3, GltfTarget::vertices);

@@ -73,13 +73,7 @@ void check_extensions(const GltfFile& file) {
   if (required == file.document.end() || !required->is_array()) return;
   for (const json& entry : *required) {
     const std::string name = entry.is_string() ? entry.get<std::string>() : std::string();
-    if (name.ends_with("_compression")) {
-      throw FileError(
-          fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, shown(name)));
-    }
-    if (!can_be_left_out(name)) {
-      throw FileError(fmt::format("{}: it needs the extension '{}', which is not read; export it without", file.name, shown(name)));
-    }
+    if (!can_be_left_out(name)) refuse_extension(file, name);
   }
 }
 
@@ -111,6 +105,14 @@ void read_buffers(GltfFile& file, std::string_view binary, const FindOther& find
 }
 
 }  // namespace
+
+void refuse_extension(const GltfFile& file, const std::string& name) {
+  if (name.ends_with("_compression")) {
+    throw FileError(
+        fmt::format("{}: its meshes are compressed ({}), which is not read; export it without compression", file.name, shown(name)));
+  }
+  throw FileError(fmt::format("{}: it needs the extension '{}', which is not read; export it without", file.name, shown(name)));
+}
 
 void fail(const GltfFile& file, const std::string& what) {
   throw FileError(fmt::format("{}: {}; the file is damaged, export it again", file.name, what));

@@ -29,6 +29,9 @@ bool is_glb(std::string_view content);
 /// Throws FileError: "FILE: WHAT; the file is damaged, export it again".
 [[noreturn]] void fail(const GltfFile& file, const std::string& what);
 
+/// Throws FileError: that the file needs an extension, and what to do.
+[[noreturn]] void refuse_extension(const GltfFile& file, const std::string& name);
+
 /// Entry `number` of a list of the document, as "nodes". Throws FileError when it is not there.
 const nlohmann::json& entry(const GltfFile& file, const char* list, std::size_t number);
 

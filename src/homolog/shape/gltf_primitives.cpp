@@ -41,10 +41,18 @@ bool draws_triangles(const GltfFile& file, const json& primitive) {
   return mode == kTriangles || mode == kStrip || mode == kFan;
 }
 
-GltfTable positions_of(const GltfFile& file, const json& primitive) {
+GltfTable positions_of(const GltfFile& file, const json& primitive, std::size_t most_triangles) {
   const auto number = number_at(file, object_at(primitive, "attributes"), "POSITION");
   if (!number) fail(file, "a mesh has no POSITION");
-  return read_gltf_table(file, *number, {"POSITION", {3}, {}});
+  const json& accessor = entry(file, "accessors", *number);
+  if (accessor.contains("bufferView")) return read_gltf_table(file, *number, {"POSITION", {3}, {}});
+  for (const auto& [name, content] : object_at(primitive, "extensions").items()) {
+    if (name.ends_with("_compression")) refuse_extension(file, name);
+  }
+  if (!accessor.contains("sparse")) fail(file, "its POSITION has no data");
+  const std::size_t rows = number_at(file, accessor, "count").value_or(0);
+  check_count(file, 0, rows, most_triangles);  // before they take memory, for which no bytes of the file stand
+  return read_gltf_table(file, *number, {"POSITION", {3}, rows});
 }
 
 std::vector<Triangle> triangles_of(const GltfFile& file, const json& primitive, std::size_t vertices, std::uint32_t first) {

@@ -14,8 +14,8 @@ const nlohmann::json& list_at(const nlohmann::json& object, const char* key);
 /// False for points and lines.
 bool draws_triangles(const GltfFile& file, const nlohmann::json& primitive);
 
-/// The vertices of a primitive. Throws FileError.
-GltfTable positions_of(const GltfFile& file, const nlohmann::json& primitive);
+/// The vertices of a primitive, three times `most_triangles` at most. Throws FileError.
+GltfTable positions_of(const GltfFile& file, const nlohmann::json& primitive, std::size_t most_triangles);
 
 /// The triangles of a primitive that has so many vertices, the first of them being number `first`. Throws FileError.
 std::vector<Triangle> triangles_of(const GltfFile& file, const nlohmann::json& primitive, std::size_t vertices, std::uint32_t first);

@@ -3,20 +3,17 @@
 
 #include <algorithm>
 
-#include "homolog/shape/gltf_primitives.h"
-#include "homolog/shape/gltf_scene.h"
+#include "homolog/shape/gltf_instance.h"
 
 namespace homolog {
 namespace {
 
-void append(Mesh& mesh, const GltfFile& file, const nlohmann::json& primitive, const Mat4& world, std::size_t most_triangles) {
-  const GltfTable positions = positions_of(file, primitive);
+void append(Mesh& mesh, const GltfFile& file, const GltfInstance& instance, const nlohmann::json& primitive, std::size_t most_triangles) {
+  const GltfTable positions = positions_of(file, primitive, most_triangles);
   const std::size_t first = mesh.vertices.size();
   check_count(file, mesh.triangles.size(), first + positions.rows, most_triangles);
-  for (std::size_t i = 0; i < positions.rows; ++i) {
-    mesh.vertices.push_back((world * positions.vec3(i).homogeneous()).head<3>());
-    if (!mesh.vertices.back().allFinite()) fail(file, "a coordinate is not a finite number");
-  }
+  const auto vertices = placed_vertices(file, instance, primitive, positions, placing_of(file, instance, primitive, positions.rows));
+  mesh.vertices.insert(mesh.vertices.end(), vertices.begin(), vertices.end());
   const auto triangles = triangles_of(file, primitive, positions.rows, static_cast<std::uint32_t>(first));
   check_count(file, mesh.triangles.size() + triangles.size(), first + positions.rows, most_triangles);
   mesh.triangles.insert(mesh.triangles.end(), triangles.begin(), triangles.end());
@@ -32,12 +29,14 @@ bool is_gltf(std::string_view content) {
 
 Mesh read_gltf(std::string_view content, const std::string& file, const FindOther& find_other, std::size_t most_triangles) {
   const GltfFile gltf = read_gltf_file(content, file, find_other);
+  const std::vector<GltfNode> nodes = scene_nodes(gltf);
+  GltfRig rig(gltf, nodes);
   Mesh mesh;
-  for (const GltfNode& node : scene_nodes(gltf)) {
-    const auto number = number_at(gltf, entry(gltf, "nodes", node.number), "mesh");
-    if (!number) continue;
-    for (const nlohmann::json& primitive : list_at(entry(gltf, "meshes", *number), "primitives")) {
-      if (draws_triangles(gltf, primitive)) append(mesh, gltf, primitive, node.world, most_triangles);
+  for (const GltfNode& node : nodes) {
+    const auto instance = instance_of(gltf, node, rig);
+    if (!instance) continue;
+    for (const nlohmann::json& primitive : list_at(instance->mesh, "primitives")) {
+      if (draws_triangles(gltf, primitive)) append(mesh, gltf, *instance, primitive, most_triangles);
     }
   }
   return mesh;

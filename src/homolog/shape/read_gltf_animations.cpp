@@ -77,7 +77,8 @@ std::vector<Mat4> worlds_at(const GltfActors& actors, Poses poses, const std::ve
 
 /// Appends where every joint stands in its parent.
 void append_poses(const GltfActors& actors, const std::vector<Joint>& joints, const std::vector<Mat4>& worlds, Animation& animation) {
-  std::vector<Mat4> frames(joints.size());
+  std::vector<Mat4> frames;
+  for (const Joint& joint : joints) frames.push_back(joint.bind);  // for those outside the scene
   for (std::size_t i = 0; i < worlds.size(); ++i) {
     if (const auto joint = actors.rig.joint_of(actors.nodes[i].number)) frames[*joint] = worlds[i];
   }

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "homolog/base/errors.h"
-#include "homolog/shape/gltf_primitives.h"
+#include "homolog/shape/gltf_instance.h"
 #include "homolog/shape/read_gltf_animations.h"
 #include "homolog/shape/read_gltf_materials.h"
 #include "homolog/shape/srgb.h"
@@ -41,17 +41,9 @@ struct Block {
 
 /// A mesh of the file as a node shows it.
 struct Instance {
-  std::size_t node;
-  const json& mesh;
-  Mat4 world;
-  std::optional<std::vector<std::uint16_t>> joints;  ///< of its skin
+  GltfInstance shown;
   std::vector<Block> blocks;
 };
-
-void append_positions(Reader& reader, const GltfTable& positions, const Mat4& world) {
-  auto& vertices = reader.mesh.mesh.vertices;
-  for (std::size_t i = 0; i < positions.rows; ++i) vertices.push_back((world * positions.vec3(i).homogeneous()).head<3>());
-}
 
 void append_colours(Reader& reader, const json& attributes, std::size_t vertices) {
   const auto number = number_at(reader.file, attributes, "COLOR_0");
@@ -131,15 +123,15 @@ void append_texturing(Reader& reader, const json& primitive, const Block& block)
 }
 
 /// The key of the name that a mesh gives its target, or of a name made of its number.
-ShapeKey& key_of(Reader& reader, const Instance& instance, std::size_t target) {
-  const json &names = list_at(object_at(instance.mesh, "extras"), "targetNames"), &weights = list_at(instance.mesh, "weights");
+ShapeKey& key_of(Reader& reader, const GltfInstance& instance, std::size_t target) {
+  const json& names = list_at(object_at(instance.mesh, "extras"), "targetNames");
   const bool named = target < names.size() && names[target].is_string();
   const std::string name = named ? names[target].get<std::string>() : fmt::format("key {}", target + 1);
-  const bool weighed = target < weights.size() && weights[target].is_number();
-  return of_name(reader.mesh.shape_keys, ShapeKey{name, weighed ? weights[target].get<double>() : 0, {}});
+  return of_name(reader.mesh.shape_keys, ShapeKey{name, target < instance.weights.size() ? instance.weights[target] : 0, {}});
 }
 
-void append_shape_keys(Reader& reader, const Instance& instance, const json& primitive, std::size_t first, std::size_t vertices) {
+void append_shape_keys(Reader& reader, const GltfInstance& instance, const json& primitive, std::size_t first, const GltfPlacing& placing,
+                       std::size_t vertices) {
   const json& targets = list_at(primitive, "targets");
   for (std::size_t k = 0; k < targets.size(); ++k) {
     ShapeKey& key = key_of(reader, instance, k);
@@ -150,19 +142,18 @@ void append_shape_keys(Reader& reader, const Instance& instance, const json& pri
                                   most_displacements));
     }
     key.displacements.resize(first + vertices, Vec3::Zero());
-    const auto positions = number_at(reader.file, targets[k], "POSITION");
-    if (!positions) continue;
-    const GltfTable table = read_gltf_table(reader.file, *positions, {"target's POSITION", {3}, vertices});
-    for (std::size_t i = 0; i < vertices; ++i) key.displacements[first + i] = instance.world.topLeftCorner<3, 3>() * table.vec3(i);
+    const auto table = target_of(reader.file, targets[k], vertices);
+    for (std::size_t i = 0; table && i < vertices; ++i) {
+      key.displacements[first + i] = placing.at(i).topLeftCorner<3, 3>() * table->vec3(i);
+    }
   }
 }
 
-void append_influences(Reader& reader, const Instance& instance, const json& attributes, std::size_t vertices) {
+void append_influences(Reader& reader, const GltfPlacing& placing, std::size_t vertices) {
   auto& influences = reader.mesh.rig.influences;
-  if (!instance.joints) return influences.resize(influences.size() + vertices);
-  const GltfInfluences read = read_gltf_influences(reader.file, attributes, vertices, *instance.joints);
-  influences.insert(influences.end(), read.of_vertices.begin(), read.of_vertices.end());
-  reader.has_weaker_weights |= read.has_more;
+  influences.insert(influences.end(), placing.influences.begin(), placing.influences.end());
+  influences.resize(influences.size() + vertices - placing.influences.size());
+  reader.has_weaker_weights |= placing.has_weaker_weights;
 }
 
 /// The vertices of a primitive, with what is said of them; those of an earlier one if it names the same tables.
@@ -171,13 +162,15 @@ Block block_of(Reader& reader, Instance& instance, const json& primitive) {
   for (const Block& block : instance.blocks) {
     if (block.attributes == attributes && block.targets == targets) return block;
   }
-  const GltfTable positions = positions_of(reader.file, primitive);
+  const GltfTable positions = positions_of(reader.file, primitive, reader.most_triangles);
   const std::size_t first = reader.mesh.mesh.vertices.size(), vertices = positions.rows;
   check_count(reader.file, reader.mesh.mesh.triangles.size(), first + vertices, reader.most_triangles);
-  append_positions(reader, positions, instance.world);
+  const GltfPlacing placing = placing_of(reader.file, instance.shown, primitive, vertices);
+  const std::vector<Vec3> placed = placed_vertices(reader.file, instance.shown, primitive, positions, placing);
+  reader.mesh.mesh.vertices.insert(reader.mesh.mesh.vertices.end(), placed.begin(), placed.end());
   append_colours(reader, attributes, vertices);
-  append_shape_keys(reader, instance, primitive, first, vertices);
-  append_influences(reader, instance, attributes, vertices);
+  append_shape_keys(reader, instance.shown, primitive, first, placing, vertices);
+  append_influences(reader, placing, vertices);
   append_fields(reader, attributes, first, vertices);
   const auto first_uv = append_uvs(reader, attributes, vertices);
   instance.blocks.push_back({attributes, targets, vertices, static_cast<std::uint32_t>(first), first_uv});
@@ -196,13 +189,10 @@ void append_primitive(Reader& reader, Instance& instance, const json& primitive)
 
 void append_nodes(Reader& reader, const std::vector<GltfNode>& nodes) {
   for (const GltfNode& node : nodes) {
-    const json& content = entry(reader.file, "nodes", node.number);
-    const auto mesh = number_at(reader.file, content, "mesh");
-    if (!mesh) continue;
-    const auto skin = number_at(reader.file, content, "skin");
-    Instance instance{node.number, entry(reader.file, "meshes", *mesh), node.world, {}, {}};
-    if (skin) instance.joints = reader.rig.add_skin(*skin, node.world);
-    for (const json& primitive : list_at(instance.mesh, "primitives")) append_primitive(reader, instance, primitive);
+    auto shown = instance_of(reader.file, node, reader.rig);
+    if (!shown) continue;
+    Instance instance{std::move(*shown), {}};
+    for (const json& primitive : list_at(instance.shown.mesh, "primitives")) append_primitive(reader, instance, primitive);
   }
 }
 
@@ -214,7 +204,6 @@ void complete(Reader& reader) {
   for (Field& field : mesh.fields) field.values.resize(mesh.mesh.vertices.size(), std::numeric_limits<double>::quiet_NaN());
   mesh.rig.joints = reader.rig.joints();
   if (mesh.rig.joints.empty()) mesh.rig.influences.clear();
-  if (reader.rig.is_bound_twice()) mesh.left_out.emplace_back("a second way in which meshes are bound to the same joints");
   if (reader.has_weaker_weights) mesh.left_out.emplace_back("all but the strongest eight weights of a vertex");
   if (mesh.texturing.uvs.empty() && mesh.texturing.materials.empty()) mesh.texturing = {};
 }
@@ -230,9 +219,6 @@ AttributedMesh read_gltf_attributes(std::string_view content, const std::string&
   append_nodes(reader, nodes);
   complete(reader);
   read_gltf_animations(gltf, {nodes, reader.rig, reader.mesh.shape_keys, reader.targets}, reader.mesh);
-  for (const Vec3& vertex : reader.mesh.mesh.vertices) {
-    if (!vertex.allFinite()) fail(gltf, "a coordinate is not a finite number");
-  }
   return std::move(reader.mesh);
 }
 

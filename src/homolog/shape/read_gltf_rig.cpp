@@ -4,34 +4,95 @@
 #include <fmt/format.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <limits>
 
 #include "homolog/shape/gltf_table.h"
 
 namespace homolog {
+namespace {
 
-std::vector<std::uint16_t> GltfRig::add_skin(std::size_t number, const Mat4& world) {
+constexpr double least_scale = 1e-30, single_precision = 1e-5;  // of what a chain of nodes in single precision leaves
+
+/// The inverse bind matrices of a skin, one for each joint.
+std::vector<Mat4> inverses_of(const GltfFile& file, const nlohmann::json& skin, std::size_t number, std::size_t joints) {
+  const auto table = number_at(file, skin, "inverseBindMatrices");
+  if (!table) return std::vector<Mat4>(joints, Mat4::Identity());
+  const GltfTable matrices = read_gltf_table(file, *table, {"inverse bind matrices", {16}, {}});
+  if (matrices.rows < joints) fail(file, fmt::format("skin {} has fewer inverse bind matrices than joints", number));
+  std::vector<Mat4> inverses;
+  for (std::size_t i = 0; i < joints; ++i) {
+    inverses.emplace_back(Eigen::Map<const Mat4>(matrices.values.data() + 16 * i));
+    inverses.back().row(3) = Eigen::RowVector4d::Unit(3);
+    if (!inverses.back().inverse().allFinite()) {
+      fail(file, fmt::format("joint {} of skin {} has a bind matrix without inverse", i, number));
+    }
+  }
+  return inverses;
+}
+
+/// A frame with an inverse: axes that a node draws to nothing, as it hides a thing, are as long as they were.
+Mat4 with_all_axes(const Mat4& frame) {
+  Pose pose = pose_of(frame);
+  if (pose.scale.cwiseAbs().minCoeff() > least_scale && frame.inverse().allFinite()) return frame;
+  for (double& scale : pose.scale) scale = std::abs(scale) > least_scale ? scale : 1;
+  return matrix_of(pose);
+}
+
+/// Whether two matrices take what lies within `reach` of the origin to the same places, as far as single precision tells.
+bool is_same_move(const Mat4& a, const Mat4& b, double reach) {
+  const double size = a.topLeftCorner<3, 3>().norm();
+  return (a - b).topLeftCorner<3, 3>().norm() <= single_precision * size &&
+         (a - b).topRightCorner<3, 1>().norm() <= single_precision * (size * reach + a.topRightCorner<3, 1>().norm());
+}
+
+/// Leaves out what all joints do alike, so that a mesh at rest stays as it is to the last digit.
+void join_equal_moves(GltfSkin& skin, const std::vector<Mat4>& inverses) {
+  double reach = 0;
+  for (const Mat4& inverse : inverses) reach = std::max(reach, inverse.inverse().topRightCorner<3, 1>().norm());
+  const auto as_first = [&](std::uint16_t joint) { return is_same_move(skin.first, skin.of_joints[joint], reach); };
+  if (!std::all_of(skin.joints.begin(), skin.joints.end(), as_first)) return;
+  skin.of_joints.clear();
+  if (is_same_move(Mat4::Identity(), skin.first, reach)) skin.first.setIdentity();
+}
+
+}  // namespace
+
+GltfRig::GltfRig(const GltfFile& file, const std::vector<GltfNode>& nodes) : file_(file), nodes_(nodes) {
+  for (std::size_t i = 0; i < nodes.size(); ++i) place_of_[nodes[i].number] = i;
+}
+
+/// Where a joint stands; one that the scene does not show stands as it was bound.
+Mat4 GltfRig::world_of(std::size_t node, const Mat4& inverse_bind) const {
+  const auto found = place_of_.find(node);
+  return found == place_of_.end() ? Mat4(inverse_bind.inverse()) : nodes_[found->second].world;
+}
+
+std::uint16_t GltfRig::add_joint(std::size_t node, const Mat4& inverse_bind) {
+  const auto [found, is_new] = number_of_.try_emplace(node, static_cast<std::uint16_t>(joints_.size()));
+  if (!is_new) return found->second;
+  const Mat4 world = world_of(node, inverse_bind);
+  const Mat4 bind = world.allFinite() ? with_all_axes(world) : world;
+  if (!bind.allFinite() || !bind.inverse().allFinite()) fail(file_, fmt::format("node {} does not stand at a finite place", node));
+  joints_.push_back({text_at(entry(file_, "nodes", node), "name"), -1, bind});
+  if (joints_.size() > std::numeric_limits<std::uint16_t>::max()) fail(file_, "it has more joints than weights can name");
+  return found->second;
+}
+
+GltfSkin GltfRig::add_skin(std::size_t number) {
   const nlohmann::json& skin = entry(file_, "skins", number);
   const std::vector<std::size_t> nodes = numbers_at(file_, skin, "joints");
-  const auto matrices = number_at(file_, skin, "inverseBindMatrices");
-  GltfTable table;
-  if (matrices) table = read_gltf_table(file_, *matrices, {"inverse bind matrices", {16}, {}});
-  if (matrices && table.rows < nodes.size()) fail(file_, fmt::format("skin {} has fewer inverse bind matrices than joints", number));
-  std::vector<std::uint16_t> numbers;
+  const std::vector<Mat4> inverses = inverses_of(file_, skin, number, nodes.size());
+  GltfSkin added;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    const Mat4 inverse = matrices ? Mat4(Eigen::Map<const Mat4>(table.values.data() + 16 * i)) : Mat4(Mat4::Identity());
-    const Mat4 bind = world * inverse.inverse();
-    if (!bind.allFinite()) fail(file_, fmt::format("joint {} of skin {} has a bind matrix without inverse", i, number));
-    const auto [found, is_new] = number_of_.try_emplace(nodes[i], static_cast<std::uint16_t>(joints_.size()));
-    numbers.push_back(found->second);
-    if (is_new) {
-      joints_.push_back({text_at(entry(file_, "nodes", nodes[i]), "name"), -1, bind});
-    } else {
-      bound_twice_ |= !joints_[found->second].bind.isApprox(bind, 1e-4);
-    }
-    if (joints_.size() > std::numeric_limits<std::uint16_t>::max()) fail(file_, "it has more joints than weights can name");
+    added.joints.push_back(add_joint(nodes[i], inverses[i]));
+    const Mat4 move = world_of(nodes[i], inverses[i]) * inverses[i];
+    if (i == 0) added.first = move;
+    added.of_joints.resize(joints_.size(), Mat4::Identity());
+    added.of_joints[added.joints.back()] = move;
   }
-  return numbers;
+  join_equal_moves(added, inverses);
+  return added;
 }
 
 std::vector<Joint> GltfRig::joints() const {
