@@ -191,6 +191,11 @@ class Transfer(Program):
         self.assertGreater(len(faces), 1000)
         self.assertEqual([us for us in faces if min(us) < 0.5 < max(us)], [])
         self.assertIn(["usemtl", "not_carried"], words)
+        with open(self.path("painted.mtl"), "w") as file:
+            file.write("newmtl fur\nmap_Kd -s 2 2 1 /etc/passwd\n")
+        done = self.run_it(*transfer)
+        self.assertRegex(done.stderr, "not carried: -s of map_Kd in painted.mtl\n.* the picture '/etc/passwd', which lies outside the folder")
+        self.assertIn("UVs, 1 material carried", done.stdout)
 
     def test_a_skin_and_a_shape_key(self):
         lines = self.read("bear.off").splitlines()
@@ -204,7 +209,7 @@ class Transfer(Program):
         self.assertIn("weights of 2 joints, 1 shape key, 1 animation carried from rigged.glb", done.stdout)
         with open(self.path("carried.glb"), "rb") as file:
             scene, table = mesh_files.read_glb(file.read())
-        self.assertEqual([node["name"] for node in scene["nodes"]], ["carried", "rig", "body", "head"])
+        self.assertEqual([node["name"] for node in scene["nodes"]], ["bear_bis", "rig", "body", "head"])
         primitive = scene["meshes"][0]["primitives"][0]
         self.assertEqual(scene["meshes"][0]["extras"]["targetNames"], ["grow"])
         places = table(primitive["attributes"]["POSITION"])

@@ -191,6 +191,25 @@ TEST(AttributesGltf, LeavesOutPicturesThatItCannotHold) {
   EXPECT_TRUE(read_again(attributes_gltf(mesh, "b.glb", "a.obj")).texturing.images.empty());
 }
 
+TEST(AttributesGltf, KeepsNamesOfPicturesAndNamesTheMesh) {
+  const AttributedMesh mesh = capsule_with_everything();
+  const std::vector<OutputFile> files = attributes_gltf(mesh, "there/b.glb", "a.obj", "bare");
+  EXPECT_THAT(files[0].contents, testing::HasSubstr("{\"name\":\"bare\",\"mesh\":0"));
+  EXPECT_THAT(files[0].contents, testing::HasSubstr("\"meshes\":[{\"name\":\"bare\""));
+  EXPECT_EQ(read_again(files).texturing.images.at(0).name, "skin of it.png") << "with one ending";
+  EXPECT_THAT(attributes_gltf(mesh, "b.glb", "a.obj", "b\xe4r")[0].contents, testing::HasSubstr("b\xef\xbf\xbdr")) << "not UTF-8";
+}
+
+TEST(AttributesGltf, WritesColourAndOpacityBesideAPicture) {
+  AttributedMesh mesh = capsule_with_everything();
+  mesh.texturing.materials[1].colour = {0.5f, 0.25f, 1, 0.5f};
+  const std::vector<OutputFile> files = attributes_gltf(mesh, "b.glb", "a.obj");
+  const Material over = read_again(files).texturing.materials.at(1);
+  EXPECT_EQ(over.image, 0);
+  for (int k = 0; k < 4; ++k) EXPECT_NEAR(over.colour[k], mesh.texturing.materials[1].colour[k], 1e-6);
+  EXPECT_THAT(files[0].contents, testing::HasSubstr("\"alphaMode\":\"BLEND\""));
+}
+
 TEST(PictureType, IsKnownByTheFirstBytes) {
   EXPECT_EQ(picture_type(png), "image/png");
   EXPECT_EQ(picture_type("\xff\xd8\xff\xe0"), "image/jpeg");

@@ -48,6 +48,7 @@ TEST_F(ReadObjAttributes, TakesUvsAndMaterialsOfTheTrianglesThatPolygonsBecome) 
   EXPECT_EQ(texturing.images[texturing.materials[0].image].bytes, "PNG");
   EXPECT_EQ(texturing.materials[1].colour[3], 0.5f);
   EXPECT_EQ(texturing.materials[1].image, -1);
+  EXPECT_EQ(texturing.materials[1].colour[0], 1) << "a picture is multiplied by nothing";
   EXPECT_THAT(mesh.missing, ElementsAre("my//pictures of it.jpg"));
   EXPECT_EQ(told_attributes(mesh), "UVs, 3 materials");
 }
@@ -66,7 +67,7 @@ TEST_F(ReadObjAttributes, FindsPicturesBehindOptionsAndTellsWhatElseThereIsOnce)
                                                   });
   EXPECT_THAT(asked, ElementsAre("m.mtl", "red skin.png", "none.png"));
   EXPECT_THAT(mesh.missing, ElementsAre("none.png"));
-  EXPECT_THAT(mesh.left_out, ElementsAre("map_Bump, norm of m.mtl"));
+  EXPECT_THAT(mesh.left_out, ElementsAre("map_Bump, norm of m.mtl", "-o of map_Kd in m.mtl")) << "but -s 1 1 1 says nothing";
 }
 
 TEST_F(ReadObjAttributes, KnowsPicturesOfOneNameByTheirFolders) {
@@ -102,6 +103,31 @@ TEST_F(ReadObjAttributes, LooksForPicturesInItsFolderAlone) {
   EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nf 1/1 2/2 3/1\n"),
               HasSubstr("b.obj, line 5: texture coordinate 2 does not exist"));
   EXPECT_THAT(message("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"), HasSubstr("b.obj: it says nothing but the form"));
+}
+
+TEST_F(ReadObjAttributes, TakesItsOwnNameOffPicturesThatWereWrittenWithIt) {
+  write("two.mtl", "newmtl red wood\nmap_Kd a.wood.png\nnewmtl plain\nmap_Kd a.png\n");
+  write("a.wood.png", "PNG");
+  write("a.png", "PNG");
+  const std::vector<Image> images = read_attributes(write("a.obj", obj)).texturing.images;
+  ASSERT_EQ(images.size(), 2u);
+  EXPECT_EQ(images[0].name, "wood.png");
+  EXPECT_EQ(images[1].name, "a.png");
+}
+
+/// Blender names pictures so that are kept elsewhere.
+TEST_F(ReadObjAttributes, LeavesPicturesOutsideItsFolderAlone) {
+  std::filesystem::create_directory(folder_ / "export");
+  write("wood.png", "PNG");
+  for (const std::string& named : {std::string("../wood.png"), (folder_ / "wood.png").string()}) {
+    write("export/two.mtl", "newmtl red\nKd 1 0 0\nnewmtl green\nmap_Kd " + named + "\n");
+    const AttributedMesh mesh = read_attributes(write("export/a.obj", obj));
+    EXPECT_FALSE(mesh.texturing.uvs.empty()) << "UVs are carried all the same";
+    EXPECT_TRUE(mesh.texturing.images.empty());
+    EXPECT_THAT(mesh.missing, testing::IsEmpty());
+    ASSERT_EQ(mesh.left_out.size(), 1u);
+    EXPECT_THAT(mesh.left_out[0], HasSubstr("'" + named.substr(0, 100) + "', which lies outside the folder of the file"));
+  }
 }
 
 }  // namespace

@@ -141,7 +141,10 @@ TEST_F(ReadAttributes, FindsThePictureOfUvsAtPlyVertices) {
   write("outside.png", "O");
   std::filesystem::create_directory(folder_ / "below");
   text.replace(text.find("skin.png"), 8, "../outside.png");
-  EXPECT_THROW(read_attributes(write("below/a.ply", text)), FileError);
+  const AttributedMesh below = read_attributes(write("below/a.ply", text));
+  EXPECT_TRUE(below.texturing.images.empty()) << "it is not opened";
+  ASSERT_EQ(below.left_out.size(), 1u);
+  EXPECT_THAT(below.left_out[0], testing::HasSubstr("'../outside.png', which lies outside the folder"));
 }
 
 TEST(ReadPlyAttributes, KnowsPicturesOfOneNameByTheirFolders) {

@@ -22,11 +22,11 @@ bool writes_attributes(const std::filesystem::path& out) {
 }
 
 std::vector<OutputFile> attribute_files(const AttributedMesh& carried, const std::vector<DensePlace>& places,
-                                        const std::filesystem::path& out, const std::string& from) {
+                                        const std::filesystem::path& out, const std::string& from, const std::string& name) {
   if (!writes_attributes(out)) {
     throw OutputError(fmt::format("attributes are written as {}, not as '{}'", writable_attributes, out.string()));
   }
-  if (is_gltf(out)) return attributes_gltf(carried, out, from);
+  if (is_gltf(out)) return attributes_gltf(carried, out, from, name);
   if (lower_extension(out) == ".obj") return attributes_obj(carried, out, from);
   return attributes_ply(carried, places, out, from);
 }

@@ -49,7 +49,8 @@ TransferredAttributes transfer_attributes(const AttributeTransfer& transfer, con
   AttributedMesh carried = carry_attributes(giver, receiver.mesh, map.places, chirality_of(match));
   std::vector<std::filesystem::path> read = transfer.read;
   read.insert(read.end(), giver.files.begin(), giver.files.end());
-  write_files(attribute_files(carried, map.places, transfer.out, transfer.from.filename().string()), read);
+  const std::string name = std::filesystem::path(receiver.name).stem().string();
+  write_files(attribute_files(carried, map.places, transfer.out, transfer.from.filename().string(), name), read);
   return {std::move(carried), map.placed, attribute_losses(giver, transfer.out, transfer.from.string())};
 }
 

@@ -221,7 +221,8 @@ void add_rig(ordered_json& json, const Rig& rig, GltfContent& content) {
 
 }  // namespace
 
-std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::filesystem::path& out, const std::string& from) {
+std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::filesystem::path& out, const std::string& from,
+                                        const std::string& name) {
   // A skinned mesh stands where its joints say, so that its node cannot move it.
   const Box box = bounding_box(mesh.mesh);
   const Vec3 origin = mesh.rig.joints.empty() ? Vec3((box.min + box.max) / 2) : Vec3::Zero();
@@ -231,11 +232,11 @@ std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::f
   GltfContent content;
   const Split split = split_at_seams(mesh);
   const Tables tables = add_tables(content, mesh, triangles, split, origin);
-  const std::string stem = out.stem().string();
+  const std::string stem = out.stem().string(), told = name.empty() ? stem : name;
   ordered_json json = {{"scene", 0},
                        {"scenes", {{{"nodes", {0}}}}},
-                       {"nodes", {{{"name", stem}, {"mesh", 0}}}},
-                       {"meshes", {mesh_of(mesh, primitives_of(content, mesh, split, tables, inside_out), stem)}}};
+                       {"nodes", {{{"name", told}, {"mesh", 0}}}},
+                       {"meshes", {mesh_of(mesh, primitives_of(content, mesh, split, tables, inside_out), told)}}};
   if (!origin.isZero()) json["nodes"][0]["translation"] = {origin.x(), origin.y(), origin.z()};
   if (!mesh.rig.joints.empty()) add_rig(json, mesh.rig, content);
   json.update(gltf_materials(mesh.texturing, content));
@@ -244,7 +245,8 @@ std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::f
   json["extras"] = {{"carried_from", from}};
   if (lower_extension(out) == ".glb") return {{out, glb_bytes(gltf_document(json, content), content)}};
   const std::filesystem::path bin = out.parent_path() / (stem + ".bin");
-  const std::string document = gltf_document(json, content, uri_of_name(bin.filename().string())).dump(2);
+  const std::string document =
+      gltf_document(json, content, uri_of_name(bin.filename().string())).dump(2, ' ', false, ordered_json::error_handler_t::replace);
   return {{out, document}, {bin, content.bytes}};
 }
 

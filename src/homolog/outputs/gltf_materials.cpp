@@ -41,9 +41,9 @@ ordered_json made_materials(const Texturing& texturing, GltfContent& content) {
     const int texture = material.image < 0 ? -1 : texture_of[material.image];
     ordered_json surface = {{"metallicFactor", 0}, {"roughnessFactor", 0.8}};
     if (texture >= 0) surface["baseColorTexture"] = {{"index", texture}};
-    if (texture < 0) surface["baseColorFactor"] = linear_of_srgb(material.colour);
+    if (texture < 0 || material.colour != Rgba{1, 1, 1, 1}) surface["baseColorFactor"] = linear_of_srgb(material.colour);
     materials.push_back({{"name", material.name}, {"pbrMetallicRoughness", surface}, {"doubleSided", true}});
-    if (texture < 0 && material.colour[3] < 1) materials.back()["alphaMode"] = "BLEND";
+    if (material.colour[3] < 1) materials.back()["alphaMode"] = "BLEND";
   }
   return {{"materials", materials}, {"textures", textures}, {"images", images}};
 }

@@ -5,12 +5,26 @@
 #include <fmt/ranges.h>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/find_picture.h"
 #include "homolog/shape/read_gltf.h"
 #include "homolog/shape/read_gltf_attributes.h"
 #include "homolog/shape/read_obj_attributes.h"
 #include "homolog/shape/read_ply_attributes.h"
 
 namespace homolog {
+namespace {
+
+/// Takes the name of the mesh's file off pictures that were written with it ("a.skin.png" beside "a.obj"), or it would grow at every pass.
+void shorten_names(std::vector<Image>& images, const std::filesystem::path& path) {
+  const std::string stem = path.stem().string() + ".";
+  for (Image& image : images) {
+    const std::string rest = image.name.starts_with(stem) ? image.name.substr(stem.size()) : "";
+    if (!image.bytes.empty() && std::filesystem::path(rest).has_extension()) image.name = free_name(images, rest);
+  }
+}
+
+}  // namespace
+
 AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimits& limits) {
   read_mesh(path, limits);  // which refuses what cannot be used
   const std::string content = read_file(path, limits.bytes), file = path.string();
@@ -38,6 +52,7 @@ AttributedMesh read_attributes(const std::filesystem::path& path, const ReadLimi
   if (told_attributes(mesh).empty()) {
     throw FileError(fmt::format("{}: it says nothing but the form, neither colours nor UVs nor values; export it with them", file));
   }
+  shorten_names(mesh.texturing.images, path);
   mesh.files = std::move(files);
   return mesh;
 }

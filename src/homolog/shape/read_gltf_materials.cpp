@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "homolog/base/read_file.h"
 #include "homolog/shape/find_picture.h"
 #include "homolog/shape/srgb.h"
 
@@ -50,6 +51,8 @@ json list_at(const GltfFile& file, const char* key) {
 std::string picture_name(const json& image, std::size_t number, const std::string& uri) {
   if (!uri.empty() && uri.compare(0, 5, "data:") != 0) return std::filesystem::path(name_of_uri(uri)).filename().string();
   const std::string name = std::filesystem::path(text_at(image, "name")).filename().string();
+  const std::string has = lower_extension(name);
+  if (has == ".png" || has == ".jpg" || has == ".jpeg" || has == ".webp" || has == ".ktx2") return name;
   const char* ending = text_at(image, "mimeType") == "image/jpeg" || uri.compare(0, 15, "data:image/jpeg") == 0 ? ".jpg" : ".png";
   return (name.empty() ? fmt::format("image_{}", number) : name) + ending;
 }
@@ -59,14 +62,11 @@ void read_images(const GltfFile& file, const FindOther& find_other, AttributedMe
   for (const json& image : list_at(file, "images")) {
     const std::string uri = text_at(image, "uri");
     const std::string name = free_name(images, picture_name(image, images.size(), uri));
-    std::optional<std::string> bytes;
-    if (const auto view = number_at(file, image, "bufferView")) {
-      bytes = std::string(buffer_view(file, *view));
-    } else {
-      bytes = uri_bytes(file, uri, find_other);
-    }
-    if (!bytes) tell_missing(name, mesh.missing);
-    images.push_back({name, bytes.value_or("")});
+    const auto find = [&]() -> std::optional<std::string> {
+      if (const auto view = number_at(file, image, "bufferView")) return std::string(buffer_view(file, *view));
+      return uri_bytes(file, uri, find_other);
+    };
+    images.push_back({name, picture_bytes(name, find, {mesh.missing, mesh.left_out}).value_or("")});
   }
 }
 

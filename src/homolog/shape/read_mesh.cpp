@@ -12,6 +12,7 @@
 #include "homolog/base/read_file.h"
 #include "homolog/shape/cloud_surface.h"
 #include "homolog/shape/foreign_file.h"
+#include "homolog/shape/outside_folder.h"
 #include "homolog/shape/read_3mf.h"
 #include "homolog/shape/read_gltf.h"
 #include "homolog/shape/read_metaimage.h"
@@ -115,7 +116,8 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
   std::error_code error;
   const fs::path path = fs::weakly_canonical(folder / name, error);
   if (error || std::mismatch(folder.begin(), folder.end(), path.begin(), path.end()).first != folder.end()) {
-    throw FileError(fmt::format("{}: it names the file '{}' outside its folder; put the two together", file.string(), shown(name)));
+    throw OutsideFolder(
+        fmt::format("{}: it names the file '{}' outside its folder; put the two together", file.string(), shown(name, 100)));
   }
   if (!fs::exists(path, error)) {
     throw FileError(fmt::format("{}: it names the file '{}', which is not there; put the two together", file.string(), shown(name)));

@@ -74,10 +74,14 @@ void read_library(Reader& reader, const std::string& name) {
   if (!mtl.other_maps.empty()) {
     reader.left_out.push_back(fmt::format("{} of {}", fmt::join(mtl.other_maps, ", "), shown(name, longest_name)));
   }
-  for (const auto& [material, picture] : mtl.materials) {
+  if (!mtl.map_options.empty()) {
+    reader.left_out.push_back(fmt::format("{} of map_Kd in {}", fmt::join(mtl.map_options, ", "), shown(name, longest_name)));
+  }
+  for (const auto& [material, picture, has_colour] : mtl.materials) {
     Material& own = reader.texturing.materials[material_number(reader.texturing, material.name)];
     own.colour = material.colour;
-    if (!picture.empty()) own.image = find_picture(picture, reader.find_other, reader.texturing.images, reader.pictures, reader.missing);
+    if (picture.empty()) continue;
+    own.image = find_picture(picture, reader.find_other, reader.texturing.images, reader.pictures, {reader.missing, reader.left_out});
   }
 }
 

@@ -52,7 +52,7 @@ void add_pictures(AttributedMesh& mesh, const std::vector<std::string>& pictures
   PictureNumbers numbers;
   std::vector<Material>& materials = mesh.texturing.materials;
   for (const std::string& picture : pictures) {
-    const int image = find_picture(picture, find_other, mesh.texturing.images, numbers, mesh.missing);
+    const int image = find_picture(picture, find_other, mesh.texturing.images, numbers, {mesh.missing, mesh.left_out});
     materials.push_back({free_name(materials, std::filesystem::path(picture).stem().string()), {1, 1, 1, 1}, image});
   }
 }
