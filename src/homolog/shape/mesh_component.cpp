@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "homolog/shape/nested_boxes.h"
 #include "homolog/shape/ray_crossing.h"
@@ -13,29 +14,67 @@ namespace {
 
 constexpr double most_open = 0.25;  // |sum of area vectors| / area, 0 when closed, 1 for a flat patch: beyond it, volume says nothing
 
-constexpr std::size_t triangles_a_row = 16, most_rows = 4096;
+constexpr std::size_t most_cells = 1024;     // along either axis
+constexpr std::size_t cells_a_triangle = 4;  // in the mean, at most
 
-/// The row of a component's triangles that a height lies in; higher ones lie in no lower row.
-std::size_t row_of(double z, const Component& component) {
-  const double share = (z - component.box.min.z()) / (component.box.max.z() - component.box.min.z());
-  const std::size_t last = component.rows.size() - 1;
-  return share > 0 ? std::min(last, static_cast<std::size_t>(std::min(share, 1.0) * static_cast<double>(last))) : 0;
+/// The cell along y (axis 1) or z (axis 2) in which a coordinate lies; higher ones lie in no lower cell.
+std::size_t cell_of(double x, int axis, const Component& component) {
+  const double share = (x - component.box.min[axis]) / (component.box.max[axis] - component.box.min[axis]);
+  const std::size_t side = component.cells.side;
+  return share > 0 ? std::min(side - 1, static_cast<std::size_t>(std::min(share, 1.0) * static_cast<double>(side))) : 0;
 }
 
-/// Sorts the triangles by height, as a shape may have thousands of cavities that are looked for in it.
-void sort_into_rows(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh) {
-  component.rows.resize(std::clamp<std::size_t>(component.triangles.size() / triangles_a_row, 1, most_rows));
-  for (const std::uint32_t t : component.triangles) {
-    const auto& [a, b, c] = triangles[t];
-    const auto [low, high] = std::minmax({mesh.vertices[a].z(), mesh.vertices[b].z(), mesh.vertices[c].z()});
-    for (std::size_t row = row_of(low, component); row <= row_of(high, component); ++row) component.rows[row].push_back(t);
+struct CellRange {
+  std::size_t first[2], last[2];  // along y and z
+  std::size_t count() const { return (last[0] - first[0] + 1) * (last[1] - first[1] + 1); }
+};
+
+CellRange cells_of(const Triangle& triangle, const Component& component, const Mesh& mesh) {
+  const Vec3 &a = mesh.vertices[triangle[0]], &b = mesh.vertices[triangle[1]], &c = mesh.vertices[triangle[2]];
+  const Vec3 low = a.cwiseMin(b).cwiseMin(c), high = a.cwiseMax(b).cwiseMax(c);
+  const double rounding = 1e-15 * (std::abs(low.y()) + std::abs(high.y()));  // of where a row of rays is cut
+  return {{cell_of(low.y() - rounding, 1, component), cell_of(low.z(), 2, component)},
+          {cell_of(high.y() + rounding, 1, component), cell_of(high.z(), 2, component)}};
+}
+
+/// As many cells as triangles where these are as small as they would be on a ball; in a sponge they are larger, and all lie in many.
+std::size_t side_for(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  const std::size_t most = cells_a_triangle * component.triangles.size();
+  const auto root = static_cast<std::size_t>(std::sqrt(static_cast<double>(component.triangles.size())));
+  for (component.cells.side = std::min(root, most_cells); component.cells.side > 1; component.cells.side /= 2) {
+    std::size_t sum = 0;
+    for (std::size_t i = 0; i < component.triangles.size() && sum <= most; ++i)
+      sum += cells_of(triangles[component.triangles[i]], component, mesh).count();
+    if (sum <= most) break;
   }
+  return std::max<std::size_t>(component.cells.side, 1);
+}
+
+/// Sorts the triangles by where rays along x meet them, as a shape may have thousands of cavities that are looked for in it.
+void sort_into_cells(Component& component, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  RayCells& cells = component.cells;
+  cells.side = side_for(component, triangles, mesh);
+  cells.end.assign(cells.side * cells.side, 0);
+  const auto each = [&](const auto& act) {
+    for (const std::uint32_t t : component.triangles) {
+      const CellRange range = cells_of(triangles[t], component, mesh);
+      for (std::size_t z = range.first[1]; z <= range.last[1]; ++z) {
+        for (std::size_t y = range.first[0]; y <= range.last[0]; ++y) act(cells.end[z * cells.side + y], t);
+      }
+    }
+  };
+  each([](std::size_t& end, std::uint32_t) { ++end; });
+  std::size_t sum = 0;
+  for (std::size_t& end : cells.end) sum += std::exchange(end, sum);  // first the begin, which filling moves to the end
+  cells.triangles.resize(sum);
+  each([&](std::size_t& end, std::uint32_t t) { cells.triangles[end++] = t; });
 }
 
 bool lies_in(const Vec3& point, const Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
+  const std::size_t cell = cell_of(point.z(), 2, outer) * outer.cells.side + cell_of(point.y(), 1, outer);
   int winding = 0;
-  for (const std::uint32_t t : outer.rows[row_of(point.z(), outer)]) {
-    const auto& [a, b, c] = triangles[t];
+  for (std::size_t i = cell == 0 ? 0 : outer.cells.end[cell - 1]; i < outer.cells.end[cell]; ++i) {
+    const auto& [a, b, c] = triangles[outer.cells.triangles[i]];
     winding += crossing_beyond(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c], point);
   }
   return winding != 0;
@@ -44,7 +83,7 @@ bool lies_in(const Vec3& point, const Component& outer, const std::vector<Triang
 /// Whether one solid lies wholly in another one, judged at a few of its corners.
 bool lies_in(const Component& inner, Component& outer, const std::vector<Triangle>& triangles, const Mesh& mesh) {
   if ((inner.box.min.array() <= outer.box.min.array()).any() || (inner.box.max.array() >= outer.box.max.array()).any()) return false;
-  if (outer.rows.empty()) sort_into_rows(outer, triangles, mesh);
+  if (outer.cells.end.empty()) sort_into_cells(outer, triangles, mesh);
   const std::size_t step = std::max<std::size_t>(1, inner.triangles.size() / 4);
   for (std::size_t i = 0; i < inner.triangles.size(); i += step) {
     if (!lies_in(mesh.vertices[triangles[inner.triangles[i]][0]], outer, triangles, mesh)) return false;

@@ -8,9 +8,16 @@
 
 namespace homolog {
 
+/// Triangles by where they lie along y and z: those that a ray along x can meet stand in one cell.
+struct RayCells {
+  std::size_t side = 0;          // cells along either axis
+  std::vector<std::size_t> end;  // of each cell's triangles, which begin where those of the one before end
+  std::vector<std::uint32_t> triangles;
+};
+
 struct Component {
   std::vector<std::uint32_t> triangles;
-  std::vector<std::vector<std::uint32_t>> rows;  // of the same by height, once something is looked for in it
+  RayCells cells;  // of the same, once something is looked for in it
   Box box;
   double volume = 0;
   bool solid = false;   // closed enough for its volume to have a sign
