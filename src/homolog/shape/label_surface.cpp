@@ -13,6 +13,7 @@
 #include "homolog/base/errors.h"
 #include "homolog/shape/surface_nets.h"
 #include "homolog/shape/thin_cells.h"
+#include "homolog/shape/voxel_faces.h"
 
 namespace homolog {
 namespace {
@@ -20,7 +21,8 @@ namespace {
 constexpr int rounds = 20;                 // of smoothing: more change nothing that is found later
 constexpr std::size_t most_labels = 1000;  // beyond, the values are those of a scan
 constexpr std::size_t shown_labels = 12;
-constexpr double border_share = 0.95;  // of the border's voxels, which a shape that is cropped closely does not reach
+constexpr std::uint64_t most_of_noise = 700'000;  // triangles, which take some 8 s of processor time at 224 voxels
+constexpr double border_share = 0.95;             // of the border's voxels, which a shape that is cropped closely does not reach
 
 /// A scale in a header, kept as a float, leaves a label beside the whole number that it was.
 double whole(double value) {
@@ -110,9 +112,23 @@ SolidVoxels solid_in(const Crop& crop, const RawVolume& volume, const Inside& in
   return solid;
 }
 
+/// Before the surface is made, which takes seconds a million triangles, as does what follows.
+void check_surface(const SolidVoxels& solid, std::size_t most_triangles, const std::string& file) {
+  const VoxelFaces faces = voxel_faces(solid);
+  if (faces.triangles() > most_triangles) {
+    throw FileError(
+        fmt::format("{}: the surface of its voxels has {} triangles, more than the {} that are read; crop or resample the volume", file,
+                    faces.triangles(), most_triangles));
+  }
+  if (faces.triangles() > most_of_noise && are_scattered(solid, faces)) {
+    throw FileError(fmt::format("{}: its voxels are scattered as noise is, with {} triangles around them; smooth the segmentation first",
+                                file, faces.triangles()));
+  }
+}
+
 }  // namespace
 
-Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file) {
+Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file, std::size_t most_triangles) {
   const auto wanted = static_cast<double>(chosen(labels_of(volume, file), label, file));
   const auto inside = [&](std::size_t i) { return wanted == 0 ? volume.value(i) != 0 : whole(volume.value(i)) == wanted; };
   if (!label && is_background(volume, inside)) {
@@ -123,6 +139,7 @@ Mesh label_surface(const RawVolume& volume, const Label& label, const std::strin
   }
   const Crop crop = crop_to(volume, inside);
   const SolidVoxels solid = solid_in(crop, volume, inside);
+  check_surface(solid, most_triangles, file);
   const auto slice_size = static_cast<std::ptrdiff_t>(solid.size[0]) * solid.size[1];
   const SliceField field{solid.size, [&](int z, std::vector<float>& slice) {
                            const auto first_of_slice = solid.inside.begin() + z * slice_size;

@@ -17,7 +17,9 @@ using Label = std::optional<long long>;
 inline constexpr long long largest_label = 1'000'000'000'000'000;  ///< that a double holds with all its digits, and a scale in the header
 
 /// The surface of a label. Without one, the volume must hold a single value besides 0. `file` is its name for messages. Throws FileError
-/// when values are not whole numbers, or when the label is not there or not named; the sentence lists those that are.
-Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file);
+/// when values are not whole numbers, when the label is not there or not named (the sentence lists those that are), or when the surface
+/// would have too many triangles or be that of noise.
+Mesh label_surface(const RawVolume& volume, const Label& label, const std::string& file,
+                   std::size_t most_triangles = ReadLimits{}.triangles);
 
 }  // namespace homolog

@@ -139,7 +139,8 @@ Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& labe
   const std::optional<RawVolume> volume = read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave the label out", path.string()));
   if (!volume && !is_3mf(content)) refuse_foreign(content, lower_extension(path), path.string());
-  Mesh mesh = volume ? label_surface(*volume, label, path.string()) : read_content(path, without_byte_order_mark(content), limits);
+  Mesh mesh = volume ? label_surface(*volume, label, path.string(), limits.triangles)
+                     : read_content(path, without_byte_order_mark(content), limits);
   if (!volume && states_ras(content)) mesh.ras = true;
   check_read(mesh, path.string(), limits.triangles);
   return mesh;
