@@ -8,7 +8,7 @@ import bear
 
 def points():
     """Points of an ellipsoid and its normals there, as (x, y, z, nx, ny, nz)."""
-    ball, _ = bear.octahedron_ball((0, 0, 0), 1, 2)
+    ball, _ = bear.octahedron_ball((0, 0, 0), 1, 3)  # 258 points; of less than a hundred no surface is made
     normals = [(x / 4, y, z) for x, y, z in ball]
     return [(4 * x, y, z, *(c / math.hypot(*n) for c in n)) for (x, y, z), n in zip(ball, normals)]
 
