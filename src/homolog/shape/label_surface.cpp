@@ -21,7 +21,7 @@ namespace {
 constexpr int rounds = 20;                 // of smoothing: more change nothing that is found later
 constexpr std::size_t most_labels = 1000;  // beyond, the values are those of a scan
 constexpr std::size_t shown_labels = 12;
-constexpr std::uint64_t most_of_noise = 700'000;  // triangles, which take some 8 s of processor time at 224 voxels
+constexpr std::uint64_t most_of_noise = 700'000;  // triangles, which take 8 s of processor time at 224 voxels
 constexpr double border_share = 0.95;             // of the border's voxels, which a shape that is cropped closely does not reach
 
 /// A scale in a header, kept as a float, leaves a label beside the whole number that it was.
