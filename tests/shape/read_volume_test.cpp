@@ -50,8 +50,7 @@ TEST_F(ReadVolume, WhatIsOnlyNamedAsAVolumeIsTold) {
   std::string nameless = volumes::nifti();
   nameless[344] = 0;  // magic
   expect_error("a.nii", nameless, "it does not begin as .nii files do");
-  for (const char* name : {"b.nrrd", "c.nhdr", "d.mha", "e.mhd"})
-    expect_error(name, std::string(400, '\0'), "it does not begin as");
+  for (const char* name : {"b.nrrd", "c.nhdr", "d.mha", "e.mhd"}) expect_error(name, std::string(400, '\0'), "it does not begin as");
 }
 
 TEST_F(ReadVolume, VoxelsMayStandInAFileBeside) {
