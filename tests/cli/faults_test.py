@@ -71,6 +71,7 @@ class LyingFiles(Program):
         self.refuse("lol.vtp", xml.encode())
         self.expect_message(3, "its entities unfold to far more than the file; export it again without any", "points", "lol.vtp")
 
+    @limits_memory
     def test_bombs_of_volumes_and_vtp(self):
         zeros = bytes(300 << 20)
         limit = (*COARSE, "--max-memory", "200")
