@@ -11,7 +11,6 @@
 #include "homolog/base/errors.h"
 
 namespace homolog::cli {
-
 namespace {
 
 constexpr std::string_view kLayout = "\n\t";  // of tables and JSON
@@ -27,6 +26,9 @@ std::string harmless(std::string_view text, std::string_view kept) {
   return safe;
 }
 
+// Whoever cannot hear what is said beside the result still gets that.
+void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
+
 }  // namespace
 
 void print_result(std::string_view result) {
@@ -37,13 +39,6 @@ void print_result(std::string_view result) {
     throw OutputError(fmt::format("cannot write to standard output: {}", std::generic_category().message(errno)));
   }
 }
-
-namespace {
-
-// Whoever cannot hear what is said beside the result still gets that.
-void say(std::string_view text) { std::fwrite(text.data(), 1, text.size(), stderr); }
-
-}  // namespace
 
 void print_message(std::string_view sentence) { say(fmt::format("homolog: {}\n", harmless(sentence, ""))); }
 

@@ -47,7 +47,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
   }
   file.shape.name = name;
   warn_if_open(file.shape, console);
-  if (const std::string far = told_core(file.mesh); !part && !far.empty()) console.warn(fmt::format("{}: {}", name, far));
+  if (const std::string far = part ? "" : told_core(file.mesh); !far.empty()) console.warn(fmt::format("{}: {}", name, far));
   return file;
 }
 

@@ -9,6 +9,7 @@
 #include "homolog/base/read_file.h"
 #include "homolog/outputs/gltf_animations.h"
 #include "homolog/outputs/gltf_materials.h"
+#include "homolog/outputs/json_text.h"
 #include "homolog/shape/srgb.h"
 #include "homolog/shape/vertex_normals.h"
 
@@ -245,8 +246,7 @@ std::vector<OutputFile> attributes_gltf(const AttributedMesh& mesh, const std::f
   json["extras"] = {{"carried_from", from}};
   if (lower_extension(out) == ".glb") return {{out, glb_bytes(gltf_document(json, content), content)}};
   const std::filesystem::path bin = out.parent_path() / (stem + ".bin");
-  const std::string document =
-      gltf_document(json, content, uri_of_name(bin.filename().string())).dump(2, ' ', false, ordered_json::error_handler_t::replace);
+  const std::string document = json_dump(gltf_document(json, content, uri_of_name(bin.filename().string())), 2);
   return {{out, document}, {bin, content.bytes}};
 }
 

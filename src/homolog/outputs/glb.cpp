@@ -7,6 +7,7 @@
 #include <span>
 
 #include "homolog/base/errors.h"
+#include "homolog/outputs/json_text.h"
 #include "homolog/shape/vertex_normals.h"
 
 namespace homolog {
@@ -112,9 +113,7 @@ ordered_json gltf_document(const ordered_json& json, const GltfContent& content,
 }
 
 std::string glb_bytes(const ordered_json& document, const GltfContent& content) {
-  // File names may hold bytes that are not UTF-8; the text must still be.
-  const std::string text = document.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
-  const std::string chunks = chunk("JSON", text, ' ') + chunk("BIN\0", content.bytes, '\0');
+  const std::string chunks = chunk("JSON", json_dump(document), ' ') + chunk("BIN\0", content.bytes, '\0');
   if (chunks.size() + 12 > std::numeric_limits<std::uint32_t>::max()) {
     throw OutputError("a .glb holds at most 4 GiB; simplify the mesh or leave attributes out");
   }

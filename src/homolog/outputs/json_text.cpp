@@ -10,13 +10,8 @@ using nlohmann::ordered_json;
 
 constexpr std::size_t kLineLength = 160;
 
-std::string one_line(const ordered_json& value) {
-  // File names may hold bytes that are not UTF-8; the text must still be.
-  return value.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
 void append(std::string& text, const ordered_json& value, std::size_t indent) {
-  const std::string line = one_line(value);
+  const std::string line = json_dump(value);
   if (!value.is_structured() || indent + line.size() <= kLineLength) {
     text += line;
     return;
@@ -24,14 +19,14 @@ void append(std::string& text, const ordered_json& value, std::size_t indent) {
   const std::string margin(indent + 1, ' ');
   if (value.is_array() && std::none_of(value.begin(), value.end(), [](const auto& item) { return item.is_structured(); })) {
     text += json_list(
-        value.size(), [&](std::size_t i) { return one_line(value[i]); }, indent);
+        value.size(), [&](std::size_t i) { return json_dump(value[i]); }, indent);
     return;
   }
   text += value.is_object() ? '{' : '[';
   bool first = true;
   for (const auto& [key, item] : value.items()) {
     text.append(first ? "\n" : ",\n").append(margin);
-    if (value.is_object()) text.append(one_line(key)).append(": ");
+    if (value.is_object()) text.append(json_dump(key)).append(": ");
     append(text, item, indent + 1);
     first = false;
   }
@@ -55,6 +50,10 @@ void check_head(const ordered_json& json, const char* format, const std::string&
 }
 
 std::string shown_value(const ordered_json& value) { return shown(value.is_structured() ? value.type_name() : value.dump()); }
+
+std::string json_dump(const ordered_json& value, int indent) {
+  return value.dump(indent, ' ', false, ordered_json::error_handler_t::replace);
+}
 
 std::string json_text(const ordered_json& value) { return json_piece(value, 0) + "\n"; }
 

@@ -27,6 +27,10 @@ void check_head(const nlohmann::ordered_json& json, const char* format, const st
 /// A value for a message. Only a plain one is written out: lists may lie in lists deeper than the stack of what writes them.
 std::string shown_value(const nlohmann::ordered_json& value);
 
+/// As the library writes it, on one line or with so many blanks for each level. File names may hold bytes that are not UTF-8; the text must
+/// still be.
+std::string json_dump(const nlohmann::ordered_json& value, int indent = -1);
+
 std::string json_text(const nlohmann::ordered_json& value);
 
 /// The same as a piece of a larger text, on a line that begins `indent` characters in; without a line's end.

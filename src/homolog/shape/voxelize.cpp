@@ -32,7 +32,7 @@ void check_settings(int resolution, double thicken) {
 void check_inside(const Voxels& voxels, const Mesh& mesh, bool is_part) {
   const auto& values = voxels.interior.values;
   if (std::any_of(values.begin(), values.end(), [](float v) { return v > 0; })) return;
-  if (const std::string far = told_core(mesh); !is_part && !far.empty())
+  if (const std::string far = is_part ? "" : told_core(mesh); !far.empty())
     throw ShapeError("the shape is too small for its box to have an inside: " + far);
   const char* why = voxels.open == 0 ? "the shape encloses no volume" : "the surface has holes too large to tell its inside";
   throw ShapeError(
