@@ -203,7 +203,7 @@ class Surroundings(Program):
     def test_full_disk(self):
         command = f"'{PROGRAM}' points bear.off --out small/out {' '.join(COARSE)}"
         done = self.on_a_disk_of(64, f"{command}; echo $?; find small -mindepth 1")
-        self.assertRegex(done.stderr, r"\Ahomolog: cannot write '[^\n]+': No space left on device\n\Z")
+        self.assertRegex(done.stderr, r"\Ahomolog: cannot write '[^\n]+': No space left on device; make room, or choose another place\n\Z")
         self.assertEqual(done.stdout, "4\n")
 
     def test_read_only_folder(self):

@@ -92,15 +92,19 @@ TEST_F(WriteFile, KeepsWhatTheResultsWereMadeFrom) {
   EXPECT_THAT(names(), UnorderedElementsAre("a"));
 }
 
-TEST_F(WriteFile, NamesTheFileAndTheReason) {
+TEST_F(WriteFile, NamesTheFileTheReasonAndWhatToDo) {
   write_file(folder / "file", "");
-  try {
-    write_file(folder / "file" / "below.txt", "text");
-    FAIL() << "a file below a file was written";
-  } catch (const OutputError& error) {
-    EXPECT_THAT(error.what(), HasSubstr("below.txt"));
-    EXPECT_THAT(error.what(), HasSubstr("Not a directory"));
-  }
+  const auto message = [&](const fs::path& path) -> std::string {
+    try {
+      write_file(path, "text");
+    } catch (const OutputError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_THAT(message(folder / "file" / "below.txt"), AllOf(HasSubstr("below.txt"), HasSubstr("a file is where its folder should be")));
+  EXPECT_THAT(message(folder / "nowhere" / "a.txt"), HasSubstr("its folder is not there; make it first"));
+  EXPECT_THAT(message(folder / std::string(300, 'a')), HasSubstr("choose a shorter one"));
 }
 
 TEST_F(WriteFile, RemovesWhatTheDeadHaveLeftAndNothingOfTheLiving) {

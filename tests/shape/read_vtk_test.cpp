@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/read_vtk.h"
 
+#include "homolog/shape/text.h"
 #include "shape/files.h"
 #include "shape/vtk_files.h"
 
@@ -24,6 +25,14 @@ TEST_F(ReadVtk, ReadsPolygonsAndStripsOfAllVersions) {
     const Mesh mesh = read("a.vtk", content);
     EXPECT_EQ(mesh.vertices, corners);
     EXPECT_EQ(mesh.triangles, all);
+  }
+}
+
+// As VTK itself does.
+TEST_F(ReadVtk, ReadsItsWordsInSmallLettersToo) {
+  for (const std::string& content : {vtk::legacy(false), vtk::legacy5(false), vtk::legacy_grid()}) {
+    const std::size_t behind_title = content.find("ASCII");
+    EXPECT_EQ(read("a.vtk", content.substr(0, behind_title) + lower(content.substr(behind_title))).vertices, corners);
   }
 }
 

@@ -73,7 +73,7 @@ TEST_F(ReadVtp, RefusesWhatItDoesNotRead) {
 
 TEST_F(ReadVtp, RefusesDamagedFiles) {
   const std::string text = vtk::vtp({.ascii = true}), packed = vtk::vtp({false, true, false, true}), inside = vtk::vtp({.encoded = true});
-  expect_error("a.vtp", text.substr(0, 300), "line 7: unclosed token");
+  expect_error("a.vtp", text.substr(0, 300), "line 7: it stops being XML here (unclosed token)");
   expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"x\""), "must be a whole number");
   expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"99999999999\""), "more than the 150000000 points");
   expect_error("a.vtp", with(text, "NumberOfPoints=\"5\"", "NumberOfPoints=\"6\""), "fewer numbers than it must have");

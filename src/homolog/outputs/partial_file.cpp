@@ -25,7 +25,15 @@ constexpr std::string_view prefix = ".homolog.", suffix = ".partial";
   throw OutputError(fmt::format("cannot write '{}': {}", path.string(), reason));
 }
 
-std::string reason_of(int error) { return std::generic_category().message(error); }
+/// Why the system refuses, and what to do.
+std::string reason_of(int error) {
+  if (error == ENOENT) return "its folder is not there; make it first, or choose another name";
+  if (error == ENOTDIR) return "a file is where its folder should be; choose another name";
+  if (error == ENAMETOOLONG) return "the name is too long; choose a shorter one";
+  const std::string message = std::generic_category().message(error);
+  if (error == EACCES || error == EPERM || error == EROFS) return message + "; choose a folder that you may write into";
+  return message + (error == ENOSPC || error == EDQUOT ? "; make room, or choose another place" : "; choose another place");
+}
 
 /// Where a link leads, so that it stays a link; a link that leads nowhere is replaced.
 fs::path followed(fs::path path) {
@@ -82,7 +90,7 @@ void PartialFile::complete() {
 void PartialFile::rename() {
   std::error_code error;
   fs::rename(partial_, path_, error);
-  if (error) fail(path_, error.message());
+  if (error) fail(path_, reason_of(error.value()));
   partial_.clear();
 }
 

@@ -34,16 +34,19 @@ std::string_view next_word(Source& source) {
   return word;
 }
 
+/// The same of a word of the format, which VTK reads in capitals and small letters alike; in small ones here.
+std::string next_keyword(Source& source) { return lower(next_word(source)); }
+
 NumberType take_type(Source& source) {
   static constexpr std::pair<std::string_view, NumberType> types[] = {
       {"char", NumberType::int8},         {"unsigned_char", NumberType::uint8},   {"short", NumberType::int16},
       {"int", NumberType::int32},         {"unsigned_short", NumberType::uint16}, {"unsigned_int", NumberType::uint32},
       {"long", NumberType::int64},        {"unsigned_long", NumberType::uint64},  {"float", NumberType::float32},
-      {"double", NumberType::float64},    {"vtkIdType", NumberType::int32},       {"vtktypeint64", NumberType::int64},
+      {"double", NumberType::float64},    {"vtkidtype", NumberType::int32},       {"vtktypeint64", NumberType::int64},
       {"vtktypeint32", NumberType::int32}};
   const std::string_view word = take_word(source.line);
   for (const auto& [name, type] : types) {
-    if (name == word) return type;
+    if (name == lower(word)) return type;
   }
   fail(source.text, fmt::format("numbers of the type '{}' are not read; save it without them, as PLY, say", shown(word)));
 }
@@ -104,14 +107,14 @@ VtkCells take_offsets_and_corners(Source& source, long long offsets, long long c
   next_word(source);  // OFFSETS
   cells.ends = take_numbers(source, offsets, take_type(source));
   if (!cells.ends.empty()) cells.ends.erase(cells.ends.begin());  // 0, where the first one begins
-  if (next_word(source) != "CONNECTIVITY") fail(source.text, "the word CONNECTIVITY is missing; the file is damaged");
+  if (next_keyword(source) != "connectivity") fail(source.text, "the word CONNECTIVITY is missing; the file is damaged");
   cells.corners = take_numbers(source, corners, take_type(source));
   return cells;
 }
 
 VtkCells take_cells(Source& source) {
   const long long cells = take_count(source, "the number of cells"), numbers = take_count(source, "the number of corners");
-  if (source.text.rest.starts_with("OFFSETS")) return take_offsets_and_corners(source, cells, numbers);
+  if (lower(source.text.rest.substr(0, 7)) == "offsets") return take_offsets_and_corners(source, cells, numbers);
   return split(source, take_numbers(source, numbers, NumberType::int32), cells);
 }
 
@@ -144,7 +147,7 @@ bool take_field(Source& source) {
   const long long arrays = take_count(source, "the number of arrays");
   for (long long i = 0; i < arrays; ++i) {
     std::string_view name = next_word(source);
-    if (name == "METADATA") {
+    if (lower(name) == "metadata") {
       skip_metadata(source);
       name = next_word(source);
     }
@@ -165,26 +168,26 @@ bool take_field(Source& source) {
 
 Contents take_contents(Source& source) {
   Contents contents;
-  for (std::string_view word = next_word(source); !word.empty() && word != "POINT_DATA" && word != "CELL_DATA"; word = next_word(source)) {
-    if (word == "POINTS") {
+  for (std::string word = next_keyword(source); !word.empty() && word != "point_data" && word != "cell_data"; word = next_keyword(source)) {
+    if (word == "points") {
       const long long points = take_count(source, "the number of points");
       contents.points = take_numbers(source, 3 * points, take_type(source));
-    } else if (word == "POLYGONS" || word == "TRIANGLE_STRIPS") {
+    } else if (word == "polygons" || word == "triangle_strips") {
       VtkCells cells = take_cells(source);
       contents.cells.push_back(
-          cells_of_type(word == "POLYGONS" ? vtk_polygon : vtk_strip, std::move(cells.corners), std::move(cells.ends)));
-    } else if (word == "CELLS") {
+          cells_of_type(word == "polygons" ? vtk_polygon : vtk_strip, std::move(cells.corners), std::move(cells.ends)));
+    } else if (word == "cells") {
       contents.cells.push_back(take_cells(source));
-    } else if (word == "CELL_TYPES") {
+    } else if (word == "cell_types") {
       const long long cells = take_count(source, "the number of cells");
       std::vector<double> types = take_numbers(source, cells, NumberType::int32);
       if (contents.cells.empty()) fail(source.text, "the types of cells stand before the cells; the file is damaged");
       contents.cells.back().types = std::move(types);
-    } else if (word == "VERTICES" || word == "LINES") {
+    } else if (word == "vertices" || word == "lines") {
       take_cells(source);
-    } else if (word == "FIELD") {
+    } else if (word == "field") {
       contents.ras |= take_field(source);
-    } else if (word == "METADATA") {
+    } else if (word == "metadata") {
       skip_metadata(source);
     } else {
       fail(source.text, fmt::format("'{}' is not a word of polygonal data; the file is damaged", shown(word)));
@@ -203,12 +206,12 @@ Mesh read_vtk(std::string_view content, const std::string& file) {
   if (!is_vtk(content)) fail(source.text, fmt::format("this is not a VTK file (it does not begin with '{}')", first_words));
   next_line(source.text, title);
   next_line(source.text, title);
-  const std::string_view encoding = next_word(source);
-  source.binary = encoding == "BINARY";
-  if (!source.binary && encoding != "ASCII") fail(source.text, "this line must say ASCII or BINARY, in capitals; the file is damaged");
-  if (next_word(source) != "DATASET") fail(source.text, "the word DATASET is missing; the file is damaged");
+  const std::string encoding = next_keyword(source);
+  source.binary = encoding == "binary";
+  if (!source.binary && encoding != "ascii") fail(source.text, "this line must say ASCII or BINARY; the file is damaged");
+  if (next_keyword(source) != "dataset") fail(source.text, "the word DATASET is missing; the file is damaged");
   const std::string_view kind = take_word(source.line);
-  if (kind != "POLYDATA" && kind != "UNSTRUCTURED_GRID") {
+  if (lower(kind) != "polydata" && lower(kind) != "unstructured_grid") {
     fail(source.text,
          fmt::format("data of the kind {} are not read; save a surface as polygonal data, or labels as NRRD or MetaImage, from "
                      "ParaView, say",

@@ -82,7 +82,8 @@ void read_xml(std::string_view text, const std::string& file, const XmlEvents& e
       throw FileError(fmt::format("{}, line {}: its entities unfold to far more than the file; export it again without any", file,
                                   XML_GetCurrentLineNumber(parser.get())));
     }
-    throw FileError(fmt::format("{}, line {}: {}; the file is truncated or damaged", file, XML_GetCurrentLineNumber(parser.get()), reason));
+    throw FileError(fmt::format("{}, line {}: it stops being XML here ({}); the file is truncated or damaged, export it again", file,
+                                XML_GetCurrentLineNumber(parser.get()), reason));
   }
 }
 
