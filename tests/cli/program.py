@@ -8,18 +8,13 @@ import tempfile
 import unittest
 
 import bear
+from sanitizer import is_under_address_sanitizer
 
 PROGRAM, VERSION, EXAMPLES = os.path.abspath(sys.argv[1]), sys.argv[2], os.path.abspath(sys.argv[3])
 COARSE = ("--resolution", "64")  # enough for bears made of balls, and quick
 
 
-def is_under_address_sanitizer():
-    with open(PROGRAM, "rb") as file:
-        return b"__asan_init" in file.read()
-
-
-# AddressSanitizer reserves terabytes for its own use.
-limits_memory = unittest.skipIf(is_under_address_sanitizer(), "limits of memory do not go with AddressSanitizer")
+limits_memory = unittest.skipIf(is_under_address_sanitizer(PROGRAM), "limits of memory do not go with AddressSanitizer")
 
 
 class Program(unittest.TestCase):
