@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures all of docs/accuracy.md in one run and prints docs/accuracy_output.md; some 70 minutes on two cores. Rows of every run lie in
+# Measures all of docs/accuracy.md in one run and prints docs/accuracy_output.md; some 90 minutes on two cores. Rows of every run lie in
 # build/accuracy. Progress goes to stderr.
 #   bench/measure_accuracy.sh FOLDER >docs/accuracy_output.md      FOLDER: pairs.tsv, its shapes and truth (bench/README.md)
 set -euo pipefail
@@ -13,13 +13,14 @@ mkdir -p "$rows"
 mapfile -t models < <(awk -F'\t' '$1 == "whole" { print $2 }' "$folder/pairs.tsv" | sort -t/ -uk2,2 | awk 'NR % 2')
 meshes=()
 for model in "${models[@]}"; do meshes+=(--mesh "$folder/$model.off"); done
+named=$(printf '%s, ' "${models[@]}")
 
 # told TITLE COMMAND...: the command, and what it printed but for its rows a pair.
 told() {
   local title=$1 shown
   shift
   echo "measure_accuracy: $title" >&2
-  shown=$(sed "s|$folder/||g; s|$folder|FOLDER|g; s|$rows/||g; s|$bench/||g" <<<"$*")
+  shown=$(sed -E "s|( --mesh [^ ]+)+| --mesh MESH...|; s|$folder|FOLDER|g; s|$rows/||g; s|$bench/||g" <<<"$*")
   printf '\n## %s\n\n`%s`\n\n```\n' "$title" "$shown"
   "$@" | sed '/^task  *model/,/^$/d'
   printf '```\n'
@@ -30,6 +31,7 @@ echo "# What the accuracy benches printed"
 echo
 echo "The numbers of [How right it is](accuracy.md) come from this run, \`bench/measure_accuracy.sh FOLDER\`; \`bench/README.md\` explains every column."
 echo "At $(git describe --always --dirty), $(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1), $(nproc) cores. FOLDER is the public list's."
+echo "MESH are, besides three made in code, ${named%, }."
 accuracy "The public list" public "$folder"
 accuracy "The paper's choices on it" paper "$folder" --preset paper
 accuracy "The public list turned, scaled and moved otherwise" turned "$folder" --turn 7
@@ -46,3 +48,4 @@ done
 accuracy "Generated cases: heaps of pieces that share nothing" strangers --generate "${meshes[@]}" --only unrelated --strangers 15
 told "Carried points" "$bench/bench_transfer" "$folder"
 told "Dense maps" "$bench/bench_dense" "$folder"
+told "Every parameter otherwise" bench/parameter_reasons.sh "$folder"

@@ -157,8 +157,7 @@ int main(int argc, char** argv) {
       if (!named || one.pair.task == "scene") continue;
       const auto matches = run(one);
       for (const auto& samples : matches) all.add(samples);
-      if (!matches.empty()) fmt::print("{} in {}: {} right\n", one.pair.model, one.pair.data, matches.size());
-      std::fflush(stdout);
+      if (!matches.empty()) fmt::print(stderr, "{} in {}: {} right\n", one.pair.model, one.pair.data, matches.size());
     }
     print(all);
   } catch (const std::exception& error) {
