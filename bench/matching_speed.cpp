@@ -120,7 +120,7 @@ Params params_of_points() {
   Params params;
   params.voxel.resolution = 384;
   params.threads = 1;
-  params.match.points = 2000;
+  params.match.searched_points = 2000;
   return params;
 }
 

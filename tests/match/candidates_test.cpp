@@ -79,7 +79,7 @@ TEST(Candidates, AreAmongThePointsThatAnswerStrongest) {
   for (int i = 0; i < 30; ++i) model.points[i].response = i % 3 == 0 ? 0.9 : 0.5;  // ten strong ones
   for (int j = 0; j < 40; ++j) data.points[j].response = 1 - 0.01 * j;
   Params params;
-  params.match.points = 10;
+  params.match.searched_points = 10;
   params.match.partners = 100;
   const CorrespondenceSet candidates = find_candidates(model, data, params);
   EXPECT_EQ(candidates.size(), 100u);

@@ -84,7 +84,7 @@ std::vector<Row> match_rows() {
            {"pairs", "quadruples"}},
           HOMOLOG_FIELD(match.seeds)),
       row({"searched-points", "n", "", "Points of each shape that a match is searched from, those that answer strongest.", 8, 2000},
-          HOMOLOG_FIELD(match.points)),
+          HOMOLOG_FIELD(match.searched_points)),
       row({"partners", "k", "", "Partners by descriptor that each point keeps, both ways.", 1, 100}, HOMOLOG_FIELD(match.partners)),
       row({"bending", "tau", "model diagonals", "How far shapes may bend: rigid copies .003, posed bodies .015.", 0.0001, 1},
           HOMOLOG_FIELD(match.bending)),

@@ -38,7 +38,7 @@ struct DescriptorParams {
 
 struct MatchParams {
   Seeds seeds = Seeds::pairs;
-  int points = 100;
+  int searched_points = 100;
   int partners = 10;
   double bending = 0.015;
   Mirror mirror = Mirror::allow;

@@ -31,7 +31,8 @@ std::vector<char> strongest(const std::vector<SalientPoint>& points, int most) {
 
 CorrespondenceSet find_candidates(const Shape& model, const Shape& data, const Params& params) {
   const int rows = static_cast<int>(model.points.size()), columns = static_cast<int>(data.points.size());
-  const std::vector<char> in_model = strongest(model.points, params.match.points), in_data = strongest(data.points, params.match.points);
+  const std::vector<char> in_model = strongest(model.points, params.match.searched_points),
+                          in_data = strongest(data.points, params.match.searched_points);
   Eigen::MatrixXd distance = Eigen::MatrixXd::Constant(rows, columns, std::numeric_limits<double>::infinity());
   parallel_for(rows, [&](std::size_t i) {
     for (int j = 0; j < columns; ++j) {
