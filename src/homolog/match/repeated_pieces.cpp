@@ -6,14 +6,13 @@
 #include <optional>
 
 #include "homolog/base/parallel.h"
-#include "homolog/match/best_similarity.h"
 #include "homolog/match/contact.h"
+#include "homolog/match/rigid_draw.h"
 
 namespace homolog {
 namespace {
 
 constexpr double same_place = 0.05;   // matched extents
-constexpr int settlings = 10;         // a match's own similarity is the mean of a map that bends
 constexpr double most_missed = 0.1;   // diagonals of the laid piece
 constexpr double exact_piece = 0.01;  // what voxels leave of the smallest copies
 constexpr double exact_whole = 0.03;  // copies that change places lie farther off, most of them a tenth
@@ -30,20 +29,6 @@ std::optional<Vec3> way_to(const SurfaceSample& sample, const Skin& skin, double
   if (!reaches(sample, found, skin, reach)) return {};
   const SurfaceSample& there = skin.samples[found.sample];
   return there.normal.dot(there.position - sample.position) * there.normal;
-}
-
-Similarity settled(Similarity movement, const std::vector<SurfaceSample>& piece, const Skin& whole, double reach) {
-  const Chirality chirality = movement.rotation.determinant() < 0 ? Chirality::mirrored : Chirality::proper;
-  for (int k = 0; k < settlings; ++k) {
-    const std::vector<SurfaceSample> laid = moved(piece, movement);
-    std::vector<WeighedPair> pairs(piece.size(), {Vec3::Zero(), Vec3::Zero(), 0});
-    parallel_for(pairs.size(), [&](std::size_t i) {
-      if (const auto way = way_to(laid[i], whole, reach)) pairs[i] = {piece[i].position, laid[i].position + *way, 1};
-    });
-    if (means_of(pairs).weight * 2 < static_cast<double>(pairs.size())) break;
-    movement = best_similarity(pairs, chirality);
-  }
-  return movement;
 }
 
 /// Mean square of how far those samples that lie about a skin miss it.
@@ -66,7 +51,7 @@ double square_missed(const std::vector<SurfaceSample>& samples, const Skin& skin
 double repetition_error(const Similarity& start, const std::vector<SurfaceSample>& piece, double diagonal, const Shape& whole) {
   const Skin skin{whole.surface, whole.surface_blocks, whole.surface_spacing};
   const double extent = matched_extent(diagonal, start.scale, whole.diagonal), reach = most_missed * extent;
-  std::vector<SurfaceSample> samples = moved(piece, settled(start, piece, skin, reach));
+  std::vector<SurfaceSample> samples = moved(piece, settled_rigidly(start, piece, whole.surface));
   const LaidSkin laid = laid_skin(samples, block_order(positions_of(samples)));
   return std::sqrt((square_missed(samples, skin, reach, true) + square_missed(whole.surface, laid.view(), reach, false)) / 2) / extent;
 }

@@ -75,17 +75,20 @@ Similarity similarity_of(const Cloth& cloth, const Body& body) {
   return best_similarity(pairs, cloth.chirality);
 }
 
-Cloth rigidly_drawn(const Cloth& cloth, const Shape& model, const Shape& data) {
-  Similarity laid = similarity_of(cloth, model.body);
-  if (data.surface.empty()) return cloth;
-  const NearestPoints near(positions_of(data.surface));
+Similarity settled_rigidly(Similarity laid, const std::vector<SurfaceSample>& model, const std::vector<SurfaceSample>& data) {
+  if (data.empty()) return laid;
+  const NearestPoints near(positions_of(data));
   for (const std::size_t most : samples_of_a_round) {
-    const std::vector<Partner> found =
-        partners(std::span(model.surface).first(std::min(most, model.surface.size())), laid, data.surface, near);
+    const std::vector<Partner> found = partners(std::span(model).first(std::min(most, model.size())), laid, data, near);
     if (found.size() < least_partners) break;
     const Similarity step = step_to_planes(found);
     laid = {step.scale * laid.scale, step.rotation * laid.rotation, step(laid.shift)};
   }
+  return laid;
+}
+
+Cloth rigidly_drawn(const Cloth& cloth, const Shape& model, const Shape& data) {
+  const Similarity laid = settled_rigidly(similarity_of(cloth, model.body), model.surface, data.surface);
   std::vector<Vec3> places;
   for (const Vec3& node : model.body.nodes) places.push_back(laid(node));
   return lay_cloth(model.body, std::move(places), laid, cloth.chirality);
