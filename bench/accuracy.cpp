@@ -8,6 +8,7 @@
 
 #include "generate.h"
 #include "homolog/shape/read_mesh.h"
+#include "settings.h"
 #include "solids.h"
 
 namespace {
@@ -36,15 +37,6 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--preset", options.preset, "Start from these parameters")->check(CLI::IsMember({"paper"}));
   app.add_option("--turn", options.run.seed, "Seed of the random turn, scale and shift of the data; 0: none")->capture_default_str();
   app.add_option("--rows", options.rows, "Also write the rows to this file, separated by tabs");
-}
-
-void set_parameters(Options& options) {
-  if (!options.preset.empty()) options.run.params = preset(options.preset);
-  for (const std::string& text : options.parameters) {
-    const auto equals = text.find('=');
-    if (equals == std::string::npos) throw ParamError(fmt::format("'--param {}': expected NAME=VALUE", text));
-    set_parameter(options.run.params, text.substr(0, equals), text.substr(equals + 1));
-  }
 }
 
 std::vector<Case> all_cases(const Options& options) {
@@ -88,7 +80,8 @@ int main(int argc, char** argv) {
   CLI11_PARSE(app, argc, argv);
   try {
     if (options.folder.empty() != options.generate) throw ParamError("give either a FOLDER or --generate");
-    set_parameters(options);
+    if (!options.preset.empty()) options.run.params = preset(options.preset);
+    set_parameters(options.run.params, options.parameters);
     run(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_accuracy: {}\n", error.what());

@@ -15,6 +15,7 @@
 #include "homolog/shape/voxelize.h"
 #include "other_forms.h"
 #include "repeated_points.h"
+#include "settings.h"
 
 namespace homolog::bench {
 namespace {
@@ -53,10 +54,7 @@ int run(int argc, char** argv) {
   app.add_option("--param", settings, "NAME=VALUE, a parameter of the forms other than by default (repeatable)")->take_all();
   CLI11_PARSE(app, argc, argv);
   Params params;
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    set_parameter(params, setting.substr(0, equals), equals == std::string::npos ? "" : setting.substr(equals + 1));
-  }
+  set_parameters(params, settings);
   fmt::print("{:32} {:>6} {:>9} {:>8} {:>8}\n", "form", "points", "guessed", "repeat", "chance");
   if (make) {
     for (const std::string& file : files) print_made_forms(file, params);

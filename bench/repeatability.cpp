@@ -18,6 +18,7 @@
 #include "homolog/salient/salient_points.h"
 #include "homolog/shape/read_mesh.h"
 #include "homolog/shape/voxelize.h"
+#include "settings.h"
 
 namespace homolog {
 namespace {
@@ -102,10 +103,7 @@ int run(int argc, char** argv) {
   app.add_option("--param", settings, "NAME=VALUE, a parameter other than by default (repeatable)")->take_all();
   CLI11_PARSE(app, argc, argv);
   Params params;
-  for (const std::string& setting : settings) {
-    const std::size_t equals = setting.find('=');
-    set_parameter(params, setting.substr(0, equals), equals == std::string::npos ? "" : setting.substr(equals + 1));
-  }
+  bench::set_parameters(params, settings);
   fmt::print("{:32} {:>10} {:>8} {:>8} {:>8}\n", "mesh", "points", "repeat", "shift/r", "p90");
   Tally all;
   for (const std::string& file : files) {
