@@ -33,7 +33,7 @@ tools=(g++:g++ cmake:cmake ninja:ninja-build pkg-config:pkg-config)
 libraries=(libeigen3-dev libtbb-dev libassimp-dev zlib1g-dev libminizip-dev libexpat1-dev libcli11-dev libfmt-dev nlohmann-json3-dev)
 if [[ $tests == yes ]]; then
   tools+=(ccache:ccache python3:python3 clang-format-14:clang-format-14  # 14 is in all three systems, so all agree on the format
-    groff:groff mandoc:mandoc zsh:zsh fish:fish dpkg-shlibdeps:dpkg-dev file:file valgrind:valgrind)
+    groff:groff mandoc:mandoc zsh:zsh fish:fish dpkg-shlibdeps:dpkg-dev file:file valgrind:valgrind qemu-x86_64:qemu-user)
   libraries+=(libgtest-dev libgmock-dev libbenchmark-dev fonts-dejavu-core python3-dev python3-venv libegl1 libosmesa6)
 fi
 
