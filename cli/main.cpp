@@ -51,7 +51,18 @@ Exit codes: 0 found, 1 nothing found, 2 wrong usage or parameter, 3 unreadable o
   throw UsageError(fmt::format("{} '{}'{}", kind, word, hint.empty() ? help : hint));
 }
 
+/// An option that took the name of the next one for its value.
+void reject_swallowed(const CLI::App& verb) {
+  for (const CLI::Option* option : verb.get_options()) {
+    for (const std::string& value : option->results()) {
+      if (value.starts_with("--") && verb.get_option_no_throw(value) != nullptr)
+        throw UsageError(fmt::format("{} needs a value, but {} follows", option->get_name(), value));
+    }
+  }
+}
+
 void reject_extras(const CLI::App& program) {
+  for (const CLI::App* verb : program.get_subcommands()) reject_swallowed(*verb);
   const auto reject_those_of = [](const CLI::App& app) {
     std::vector<std::string> extras = app.remaining();
     const bool only_files = std::erase(extras, "--") > 0;

@@ -2,6 +2,8 @@
 // homolog points SHAPE: the salient points alone.
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <memory>
 
 #include "described_file.h"
@@ -31,13 +33,21 @@ constexpr const char* kExamples = R"(Examples:
   # Those that the paper's choices find
   homolog points bear.off --preset paper)";
 
-std::string points_table(const std::vector<Landmark>& landmarks) {
+/// As many digits as tell places within a shape apart that stands far from the origin.
+int digits_for(const std::vector<Landmark>& landmarks, double diagonal) {
+  double farthest = diagonal;
+  for (const Landmark& landmark : landmarks) farthest = std::max(farthest, landmark.point.position.cwiseAbs().maxCoeff());
+  return std::min(17, 5 + static_cast<int>(std::log10(farthest / diagonal)));
+}
+
+std::string points_table(const std::vector<Landmark>& landmarks, double diagonal) {
   if (landmarks.empty()) return "";
+  const int digits = digits_for(landmarks, diagonal);
   std::string table = "label           x           y           z      radius  response\n";
   for (const auto& [label, point, confidence] : landmarks) {
     const Vec3& x = point.position;
-    table +=
-        fmt::format("{:5}  {:10.5g}  {:10.5g}  {:10.5g}  {:10.5g}  {:8.2f}\n", label, x.x(), x.y(), x.z(), point.radius, point.response);
+    table += fmt::format("{:5}  {:10.{}g}  {:10.{}g}  {:10.{}g}  {:10.5g}  {:8.2f}\n", label, x.x(), digits, x.y(), digits, x.z(), digits,
+                         point.radius, point.response);
   }
   return table;
 }
@@ -59,7 +69,7 @@ int run_points(const PointsOptions& options) {
   }
   console.watch().lap("writing results", landmarks.size(), "points");
   console.clear();
-  std::string text = options.common.json ? json : points_table(landmarks);
+  std::string text = options.common.json ? json : points_table(landmarks, file.shape.diagonal);
   if (folder.wanted() && !options.common.json) text += fmt::format("The report is {}\n", (folder / "report.html").string());
   print_result(text);
   if (!landmarks.empty()) return kFound;

@@ -43,6 +43,17 @@ class OddFiles(Program):
             file.write(content)
         return odd_files.answer(PROGRAM, self.path(name), *COARSE)
 
+    def test_places_far_from_the_origin_are_told_apart(self):
+        head, counts, *lines = self.read("bear.off").splitlines()
+        vertices = int(counts.split()[0])
+        moved = [" ".join(repr(4e6 + float(x)) for x in line.split()) for line in lines[:vertices]]
+        with open(self.path("far.off"), "w") as file:
+            file.write("\n".join([head, counts, *moved, *lines[vertices:]]) + "\n")
+        near, far = ([line.split()[1:4] for line in self.run_it("points", name, *COARSE).stdout.splitlines()[1:]] for name in ("bear.off", "far.off"))
+        self.assertEqual(len(near), len(far))
+        for place in near:
+            self.assertLess(min(max(abs(float(x) + 4e6 - float(y)) for x, y in zip(place, other)) for other in far), 0.01)
+
     def test_what_is_no_file(self):
         os.symlink("loop.obj", self.path("loop.obj"))
         os.symlink("/dev/zero", self.path("zero.obj"))

@@ -21,6 +21,11 @@ class Words(Program):
         done = self.run_it(*points, "--quiet", "--quiet", "--json", "--json", *COARSE)
         self.assertEqual((done.returncode, done.stderr), (0, ""), "a flag says the same twice")
 
+    def test_a_value_that_was_forgotten(self):
+        self.expect_message(2, "--out needs a value, but --quiet follows", "points", "bear.off", "--out", "--quiet")
+        self.expect_message(2, "--out needs a value, but --resolution follows", "points", "bear.off", "--out", "--resolution", "96")
+        self.assertFalse(os.path.exists(self.path("--quiet")))
+
     def test_help_is_of_the_verb(self):
         self.expect_message(2, "SHAPE is required; 'homolog points --help' tells more", "points")
 
@@ -62,6 +67,7 @@ class DamagedMatches(Program):
         refuse("the warp of a match leads a pair", lambda match: match["warp"].update(weights=[[1e308, 0, 0], *weight[1:]]))
         refuse("a warp makes a plane, a line or a point", lambda match: match["warp"].update(affine=[[0] * 4] * 3))
         refuse("the confidence of a match is not from 0 to 1", lambda match: match.update(confidence=7))
+        refuse("a match is told to be mirrored, but its map is not", lambda match: match.update(handedness="mirrored"))
         refuse("a match has no pairs", lambda match: match.update(pairs=[]))
         self.write("out/match.json", text)
         done = self.run_it("transfer", "out/match.json", *points)

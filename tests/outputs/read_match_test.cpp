@@ -150,7 +150,7 @@ TEST_F(ReadFamily, RefusesWeightsOfPartsThatAreNoShares) {
 /// One as turned and scaled as real ones are, so that its matrix has all digits.
 struct ReadResult : ReadFamily {
   void SetUp() override {
-    family.matches[0].similarity = {1.7, Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).toRotationMatrix(), Vec3(1. / 3, 0, 7)};
+    family.matches[0].similarity = {1.7, -Eigen::AngleAxisd(0.3, Vec3(1, 2, 3).normalized()).toRotationMatrix(), Vec3(1. / 3, 0, 7)};
     family.matches[0].handedness = Handedness::mirrored;
     ReadFamily::SetUp();
   }
@@ -186,6 +186,7 @@ TEST_F(ReadResult, RefusesWhatIsNotWhole) {
     return message_of([&] { read_result({text, "match.json"}, std::nullopt); });
   };
   EXPECT_THAT(message("\"mirrored\"", "\"turned\""), HasSubstr("the handedness \"turned\" is not known"));
+  EXPECT_THAT(message("\"mirrored\"", "\"proper\""), HasSubstr("a match is told to be proper, but its map is not"));
   EXPECT_THAT(message("\"data\":2", "\"data\":9"), HasSubstr("a pair names a point that is not there"));
   EXPECT_THAT(message("\"sigma0\"", "\"omega\""), HasSubstr("omega"));
   EXPECT_THAT(message("\"counts\"", "\"count\""), HasSubstr("this is not a file of matches"));

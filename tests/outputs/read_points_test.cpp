@@ -57,6 +57,13 @@ TEST(ReadPointsCsv, TakesCapitalsAndSemicolons) {
               HasSubstr("line 2: '1,5' is not a number; save it with a decimal point instead of the comma"));
 }
 
+TEST(ReadPointsCsv, TakesTabsAndTheSeparatorThatTheFirstLineNames) {
+  EXPECT_EQ(read_points_csv("label\tx\ty\tz\na, b\t1\t2\t3\n", "a.csv").at(0).label, "a, b");
+  EXPECT_EQ(read_points_csv("\xef\xbb\xbfsep=;\r\nx;y;z;label\r\n1;2;3;a, b\r\n", "a.csv").at(0).label, "a, b");
+  EXPECT_EQ(read_points_csv("SEP=,\nx,y,z\n1,2,3\n", "a.csv").at(0).position, Vec3(1, 2, 3));
+  EXPECT_THAT(csv_message("sep=,"), HasSubstr("the file ends before its header"));
+}
+
 TEST(ReadPointsCsv, TakesNamesForLabelsWhereThereAreNone) {
   EXPECT_EQ(read_points_csv("name,x,y,z\nnose,1,2,3\n", "a.csv")[0].label, "nose");
   EXPECT_EQ(read_points_csv("name,x,y,z,label\nnose,1,2,3,N\n", "a.csv")[0].label, "N");

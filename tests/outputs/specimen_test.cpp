@@ -25,6 +25,9 @@ TEST(ChosenSpecimen, NeverGuesses) {
               HasSubstr("a.tps: it holds 3 specimens; say which one is meant by its name or number (--specimen; in Python specimen=): 1 "
                         "anna, 2 2, 3 (no name)"));
   EXPECT_THAT(message_of([] { chosen_specimen(collection, "otto", "a.tps"); }), HasSubstr("it holds no specimen 'otto', but 1 anna"));
+  const std::vector<Specimen> again{{"anna", {}}, {"otto", {}}, {"anna", {}}};
+  EXPECT_THAT(message_of([&] { chosen_specimen(again, "anna", "a.tps"); }), HasSubstr("2 specimens have the name 'anna'"));
+  EXPECT_EQ(&chosen_specimen(again, "3", "a.tps"), &again[2]);
   EXPECT_THAT(message_of([] { chosen_specimen({}, "", "a.tps"); }), HasSubstr("it holds no landmarks"));
 }
 

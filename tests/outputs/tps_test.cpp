@@ -58,6 +58,7 @@ TEST(Tps, NamesTheLineOfAnError) {
   EXPECT_THAT(message("LM=1\n1 2\n"), HasSubstr("line 2: a landmark needs three coordinates"));
   EXPECT_THAT(message("LM3=1\n1 2 3 4\n"), HasSubstr("line 2: a landmark has three coordinates, but here are more"));
   EXPECT_THAT(message("LM3=2\n1 2 3\n"), HasSubstr("line 2: the file ends after 1 of 2 landmarks"));
+  EXPECT_THAT(message("LM3=3\n1 2 3\nID=a\n"), HasSubstr("line 3: 3 landmarks are announced, but 1 are there"));
   EXPECT_THAT(message("LM3=1\n1 2 3\n4 5 6\n"), HasSubstr("line 3: here should be KEY=VALUE"));
   EXPECT_THAT(message("LM3=1\n1 NA 3\n"), HasSubstr("line 2: some coordinates are missing, but not all"));
   EXPECT_THAT(message("LM3=-1\n"), HasSubstr("line 1: the number of landmarks is negative"));

@@ -112,6 +112,18 @@ TEST(CloudSurface, RefusesOutliersThatMakeTheRestTooSmall) {
   cloud.points.emplace_back(100, 0, 0);
   cloud.normals.emplace_back(1, 0, 0);
   expect_refusal(cloud, "remove the outliers");
+  cloud.points.back().x() = 1e5;
+  expect_refusal(cloud, "a few points lie far from all others");
+}
+
+TEST(CloudSurface, RefusesStraysThatWouldBeMuchOfTheSurface) {
+  PointCloud cloud = clouds::sampled(capsule(), 4000);
+  EXPECT_EQ(refusal(cloud), "");
+  for (const Vec3& place : {Vec3(-3, 4, 4), Vec3(9, -4, 3), Vec3(3, 5, -3), Vec3(0, -5, -4)}) {
+    cloud.points.push_back(place);
+    cloud.normals.push_back(-place.normalized());
+  }
+  expect_refusal(cloud, "4 points stand far from all others");
 }
 
 TEST(CloudSurface, DoesNotDependOnTheNumberOfThreads) {

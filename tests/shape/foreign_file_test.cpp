@@ -21,6 +21,9 @@ TEST(ForeignFile, IsToldByHowItBegins) {
   EXPECT_EQ(refusal("ISO-10303-21;\n", ".stl"), "it: this is a STEP file of a CAD program; export its surface from there as STL or 3MF");
   EXPECT_THAT(refusal("\n <!DOCTYPE HTML><title>404</title>", ".obj"), testing::HasSubstr("a web page"));
   EXPECT_THAT(refusal(std::string("\xff\xfev\0", 4), ".obj"), testing::HasSubstr("UTF-16"));
+  EXPECT_THAT(refusal(std::string("\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p\0", 20), ".skp"), testing::HasSubstr("SketchUp"));
+  EXPECT_THAT(refusal("\x28\xb5\x2f\xfd", ".blend"), testing::HasSubstr("zstd"));
+  EXPECT_THAT(refusal(R"({"error":"404 Not Found"})", ".stl"), testing::HasSubstr("download the file again"));
   EXPECT_THAT(refusal("v 0 0 0\rv 1 0 0\rv 0 1 0\rf 1 2 3\r", ".obj"), testing::HasSubstr("old Macs"));
   EXPECT_THAT(refusal(std::string(128, '\0') + "DICM and more", ".dcm"), testing::HasSubstr("DICOM"));
   EXPECT_THAT(refusal("\x1f\x8b", ".mgz"), testing::HasSubstr("FreeSurfer"));

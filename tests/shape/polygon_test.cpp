@@ -73,6 +73,19 @@ TEST(Polygon, CombsAreFilledOnceAndHugeOnesSoonWithTheSameWinding) {
   EXPECT_NEAR(areas(triangulated(comb(40000))).second, 19999 * 0.5, 1e-6);
 }
 
+TEST(Polygon, WavyOutlinesOfManyCornersAreFilledOnce) {
+  std::vector<Vec3> outline;
+  constexpr int corners = 40000;
+  for (int i = 0; i < corners; ++i) {
+    const double angle = 2 * M_PI * i / corners,
+                 radius = 1 + 0.3 * std::sin(3 * angle) + 0.1 * std::sin(11 * angle) + 0.002 * std::sin(900 * angle);
+    outline.emplace_back(radius * std::cos(angle), radius * std::sin(angle), 0);
+  }
+  const auto [absolute, along_z] = areas(triangulated(outline));
+  EXPECT_NEAR(absolute, along_z, 1e-9);
+  EXPECT_NEAR(along_z, M_PI * (1 + (0.09 + 0.01 + 4e-6) / 2), 1e-5);
+}
+
 TEST(Polygon, PointsAndLinesAddNothing) {
   Mesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}};
   for (const std::vector<std::uint32_t>& corners : {std::vector<std::uint32_t>{}, {0}, {0, 1}, {0, 0, 1}, {0, 1, 1, 0}}) {

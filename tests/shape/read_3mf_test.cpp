@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/read_3mf.h"
 
+#include <fmt/format.h>
+
 #include "shape/files.h"
 #include "shape/meshes.h"
 #include "shape/zip_files.h"
@@ -33,6 +35,22 @@ TEST_F(Read3mf, LeavesOutWhatIsNotPrinted) {
   EXPECT_EQ(bounding_box(read("a.3mf", zip::threemf(zip::model("", twice)))).max,
             bounding_box(read("b.3mf", zip::threemf(zip::model()))).max);
   expect_error("a.3mf", zip::threemf(zip::model("", R"(<item objectid="1" printable="0"/>)")), "none of its objects is to be built");
+}
+
+TEST_F(Read3mf, LeavesOutWhatASlicerCallsNoPartOfTheSolid) {
+  const auto parts = [](const std::string& volumes) {
+    return zip::threemf(zip::model(), "", "<config><object id=\"1\">" + volumes + "</object></config>");
+  };
+  const auto volume = [](int first, int last, const std::string& key, const std::string& value) {
+    return fmt::format(R"(<volume firstid="{}" lastid="{}"><metadata type="volume" key="{}" value="{}"/></volume>)", first, last, key,
+                       value);
+  };
+  const std::string solid = volume(0, 1, "volume_type", "ModelPart");
+  EXPECT_EQ(read("a.3mf", parts(solid + volume(2, 3, "volume_type", "ModelPart"))).triangles.size(), 4u);
+  EXPECT_EQ(read("a.3mf", parts(solid + volume(2, 3, "volume_type", "ParameterModifier"))).triangles.size(), 2u);
+  EXPECT_EQ(read("a.3mf", parts(solid + volume(3, 3, "modifier", "1"))).triangles.size(), 3u);
+  expect_error("a.3mf", parts(volume(2, 4, "volume_type", "SupportBlocker")), "its slicer's parts do not fit its triangles");
+  expect_error("a.3mf", parts(volume(-1, 3, "volume_type", "SupportBlocker")), "a triangle's number is below 0");
 }
 
 TEST_F(Read3mf, RefusesExtensionsThatItDoesNotKnow) {

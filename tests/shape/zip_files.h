@@ -47,11 +47,14 @@ inline std::string assembly() {
                R"(<item objectid="3" transform="0 2 0 -2 0 0 0 0 2 0 0 1"/>)");
 }
 
-inline std::string threemf(const std::string& root, const std::string& beside = "") {
-  return archive(
-      {{"_rels/.rels", R"(<Relationships><Relationship Target="/3D/root.model" Type="http://x/2013/01/3dmodel"/></Relationships>)"},
-       {"3D/root.model", root},
-       {"a.model", beside}});
+/// `slicer`: what PrusaSlicer tells of the parts.
+inline std::string threemf(const std::string& root, const std::string& beside = "", const std::string& slicer = "") {
+  std::vector<std::pair<std::string, std::string>> files{
+      {"_rels/.rels", R"(<Relationships><Relationship Target="/3D/root.model" Type="http://x/2013/01/3dmodel"/></Relationships>)"},
+      {"3D/root.model", root},
+      {"a.model", beside}};
+  if (!slicer.empty()) files.emplace_back("Metadata/Slic3r_PE_model.config", slicer);
+  return archive(files);
 }
 
 }  // namespace homolog::zip

@@ -53,6 +53,17 @@ std::vector<KnownPlace> read_known(const ordered_json& match, const ordered_json
 
 bool states_ras(const ordered_json& shape) { return shape.value("coordinate_system", "") == "RAS"; }
 
+/// That of a map, which must not mirror what is told to be proper, or the other way round.
+Handedness read_handedness(const ordered_json& name, const Mat3& turn, const std::string& file) {
+  for (const Handedness handedness : {Handedness::proper, Handedness::mirrored, Handedness::ambiguous}) {
+    if (name != handedness_name(handedness)) continue;
+    if (handedness != Handedness::ambiguous && (handedness == Handedness::mirrored) != (turn.determinant() < 0))
+      fail(file, fmt::format("a match is told to be {}, but its map is not; the file is damaged", handedness_name(handedness)));
+    return handedness;
+  }
+  fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown_value(name)));
+}
+
 StoredFamily read_matches(const ordered_json& json, const std::string& file) {
   check_head(json, "homolog-match", file);
   const ordered_json &model = json.at("model"), &data = json.at("data");
@@ -69,6 +80,7 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     match.thickness = json.value("parameters", ordered_json::object()).value("thicken", 0.0);
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
       fail(file, "a size is not positive; the file is damaged");
+    read_handedness(item.at("handedness"), match.similarity.topLeftCorner<3, 3>(), file);
     if (!(std::abs((match.similarity.topLeftCorner<3, 3>() / match.scale).determinant()) > 0.5))
       fail(file, "a map is no similarity of its scale; the file is damaged");
     family.matches.push_back(std::move(match));
@@ -161,13 +173,6 @@ Similarity read_similarity(const ordered_json& json, const std::string& file) {
   return similarity;
 }
 
-Handedness read_handedness(const ordered_json& name, const std::string& file) {
-  for (const Handedness handedness : {Handedness::proper, Handedness::mirrored, Handedness::ambiguous}) {
-    if (name == handedness_name(handedness)) return handedness;
-  }
-  fail(file, fmt::format("the handedness {} is not known; use a newer homolog", shown_value(name)));
-}
-
 CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const Shape& data, const ThinPlateSpline& warp,
                              const std::string& file) {
   CorrespondenceSet pairs;
@@ -191,7 +196,7 @@ Match read_match(const ordered_json& json, const Shape& model, const Shape& data
   match.data_from_model = read_warp(json.at("warp"), file);
   match.pairs = read_pairs(json.at("pairs"), model, data, match.data_from_model, file);
   match.similarity = read_similarity(json, file);
-  match.handedness = read_handedness(json.at("handedness"), file);
+  match.handedness = read_handedness(json.at("handedness"), match.similarity.rotation, file);
   match.confidence = read_share(json.at("confidence"), "the confidence of a match", file);
   match.bending = json.at("bending");
   match.chamfer = json.at("chamfer");

@@ -28,15 +28,29 @@ struct Columns {
   char separator;
 };
 
+/// As spreadsheets write it: the one that a first line "sep=;" names, or the first of these that is in the header.
+char separator_of(Text& text, std::string_view& line) {
+  constexpr std::string_view named = "sep=";
+  if (line.size() > named.size() && lower(line).starts_with(named)) {
+    const char separator = line[named.size()];
+    if (!next_line(text, line)) fail(text, "the file ends before its header");
+    return separator;
+  }
+  for (const char separator : {',', ';', '\t'}) {
+    if (line.find(separator) != line.npos) return separator;
+  }
+  return ',';
+}
+
 Columns read_header(Text& text, std::string_view line) {
   if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // a byte order mark, as spreadsheets write it
-  const char separator = line.find(',') == line.npos && line.find(';') != line.npos ? ';' : ',';  // as spreadsheets of half of Europe
+  const char separator = separator_of(text, line);
   std::vector<std::string> names = csv_cells(text, line, separator);
   for (std::string& name : names) name = lower(name);
   const auto find = [&](const char* name) { return static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin()); };
   Columns columns{{find("x"), find("y"), find("z")}, {}, names.size(), separator};
   if (std::max({columns.position[0], columns.position[1], columns.position[2]}) == names.size()) {
-    fail(text, "the header must name the columns x, y and z (and label or name), separated by commas or semicolons");
+    fail(text, "the header must name the columns x, y and z (and label or name), separated by commas, semicolons or tabs");
   }
   for (const char* name : {"name", "label"}) {
     if (find(name) < names.size()) columns.label = find(name);
@@ -58,6 +72,13 @@ Read reader_of(const std::string& extension) {
   if (extension == ".fcsv") return read_fcsv;
   if (extension == ".pts") return read_pts;
   return nullptr;
+}
+
+/// With the line ends of Unix or Windows, as all readers expect them.
+std::string text_of(const std::filesystem::path& path) {
+  std::string text = utf8_text(read_file(path));
+  if (text.find('\n') == text.npos) std::replace(text.begin(), text.end(), '\r', '\n');  // those of old Macs
+  return text;
 }
 
 void turn_to_ras(std::vector<MarkupPoint>& points) {
@@ -82,15 +103,15 @@ std::vector<MarkupPoint> read_points_csv(const std::string& content, const std::
 
 std::vector<MarkupPoint> read_points(const std::filesystem::path& path, const std::string& specimen, bool ras) {
   const std::string extension = lower_extension(path), file = path.string();
-  if (extension == ".tps") return chosen_specimen(read_tps(utf8_text(read_file(path)), file), specimen, file).points;
-  if (extension == ".txt") return chosen_specimen(read_morphologika(utf8_text(read_file(path)), file), specimen, file).points;
+  if (extension == ".tps") return chosen_specimen(read_tps(text_of(path), file), specimen, file).points;
+  if (extension == ".txt") return chosen_specimen(read_morphologika(text_of(path), file), specimen, file).points;
   const auto read = reader_of(extension);
   check_file(path);
   if (read == nullptr) {
     throw FileError(fmt::format("{}: points are read from {}; save them as one of these", file, readable_points));
   }
   if (!specimen.empty()) throw FileError(fmt::format("{}: it holds the points of one specimen; leave the specimen out", file));
-  std::vector<MarkupPoint> points = read(utf8_text(read_file(path)), file);
+  std::vector<MarkupPoint> points = read(text_of(path), file);
   if (ras && (read == read_markups || read == read_fcsv)) turn_to_ras(points);
   return points;
 }

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 
 #include "homolog/base/errors.h"
@@ -31,9 +32,13 @@ const Specimen& chosen_specimen(const std::vector<Specimen>& specimens, const st
         fmt::format("{}: it holds {} specimens; say which one is meant by its name or number (--specimen; in Python specimen=): {}", file,
                     specimens.size(), names_of(specimens)));
   }
-  for (const Specimen& specimen : specimens) {
-    if (specimen.name == which) return specimen;
+  const auto is_meant = [&](const Specimen& specimen) { return specimen.name == which; };
+  const auto first = std::find_if(specimens.begin(), specimens.end(), is_meant);
+  if (const auto bearing = std::count_if(first, specimens.end(), is_meant); bearing > 1) {
+    throw FileError(fmt::format("{}: {} specimens have the name '{}'; say which one is meant by its number: {}", file, bearing,
+                                shown(which), names_of(specimens)));
   }
+  if (first != specimens.end()) return *first;
   for (std::size_t i = 0; i < specimens.size(); ++i) {
     if (fmt::format("{}", i + 1) == which) return specimens[i];
   }

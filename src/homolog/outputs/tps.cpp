@@ -48,6 +48,8 @@ void read_landmarks(Text& text, long long count, const LabelOf& label_of, std::v
   for (long long i = 1; i <= count; ++i) {
     std::string_view line;
     if (!next_filled_line(text, line)) fail(text, fmt::format("the file ends after {} of {} landmarks; it is truncated", i - 1, count));
+    if (line.find('=') != line.npos)
+      fail(text, fmt::format("{} landmarks are announced, but {} are there; export them again", count, i - 1));
     points.push_back({label_of(i), "", landmark_line(text, line)});
   }
 }

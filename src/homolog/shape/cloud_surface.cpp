@@ -37,6 +37,8 @@ constexpr double near = 2, near_sides = 3, far = 0.6;  // voxels, mean sides of 
 constexpr std::size_t neighbours = 24;
 constexpr std::size_t speck = 100;    // triangles: noise and the rims of holes leave pieces of fewer, which are no bigger than a few voxels
 constexpr double least_extent = 0.5;  // of the points' box that the surface must fill
+constexpr double stray = 100;         // medians: a point with so large a share of the surface stands ten times as far from its neighbours
+constexpr double most_strays = 0.02, most_stray_area = 0.1;  // shares: so few points must not make so much of the surface
 
 /// Splats in grid coordinates: voxel i covers [i, i + 1].
 struct Splats {
@@ -86,6 +88,24 @@ double closedness(const Splats& splats, const WindingNumber& winding) {
     turns[task] = winding.at(splats.cloud.points[i] - step) + winding.at(splats.cloud.points[i] + step);
   });
   return std::accumulate(turns.begin(), turns.end(), 0.0) / static_cast<double>(asked);
+}
+
+[[noreturn]] void refuse_outliers(const std::string& file) {
+  throw FileError(fmt::format("{}: a few points lie far from all others, so that these are too small to see; remove the outliers", file));
+}
+
+/// Where single points among many, or outside, would be most of the surface.
+void refuse_strays(std::vector<double> areas, const std::string& file) {
+  const auto middle = areas.begin() + static_cast<std::ptrdiff_t>(areas.size() / 2);
+  std::nth_element(areas.begin(), middle, areas.end());
+  const auto first = std::partition(areas.begin(), areas.end(), [limit = stray * *middle](double area) { return area <= limit; });
+  const double strays = std::accumulate(first, areas.end(), 0.0), all = std::accumulate(areas.begin(), first, strays);
+  const auto count = areas.end() - first;
+  if (static_cast<double>(count) > most_strays * static_cast<double>(areas.size()) || strays <= most_stray_area * all) return;
+  throw FileError(
+      fmt::format("{}: {} points stand far from all others, but would make {:.0f} % of the surface; remove the outliers (in "
+                  "MeshLab, CloudCompare or Open3D, say)",
+                  file, count, 100 * strays / all));
 }
 
 std::vector<float> coverage_of(const Splats& splats, const std::string& file) {
@@ -151,7 +171,10 @@ Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels) 
   if (!std::isfinite(spacing) || !(spacing > 0)) {
     throw FileError(fmt::format("{}: the points have no extent, or one too large for numbers; scale them", file));
   }
+  const std::size_t points = cloud.points.size();
   const Splats splats = make_splats(std::move(cloud), box.min, spacing, extent);
+  if (points >= least_splats && splats.areas.size() < least_splats) refuse_outliers(file);
+  refuse_strays(splats.areas, file);
   const WindingNumber winding(splats.surface.vertices, splats.surface.triangles);
   const double closed = closedness(splats, winding);
   if (!(closed >= least_closed)) {
@@ -170,9 +193,7 @@ Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels) 
   if (mesh.triangles.empty())
     throw FileError(fmt::format("{}: the points enclose nothing that is thick enough to see; scan more of them", file));
   const Box filled = box_of(mesh.vertices);
-  if ((filled.max - filled.min).maxCoeff() < least_extent * along) {
-    throw FileError(fmt::format("{}: a few points lie far from all others, so that these are too small to see; remove the outliers", file));
-  }
+  if ((filled.max - filled.min).maxCoeff() < least_extent * along) refuse_outliers(file);
   for (Vec3& vertex : mesh.vertices) vertex = box.min + spacing * (vertex - Vec3::Constant(margin));
   return mesh;
 }

@@ -32,6 +32,8 @@ constexpr Kind kinds[] = {
     {"\xfd\x37zXZ"sv, "compressed by xz; unpack it first"},
     {"7z\xbc\xaf"sv, "a 7z archive; unpack it first"},
     {"Rar!"sv, "a RAR archive; unpack it first"},
+    {"(\xb5/\xfd"sv, "compressed by zstd, as Blender may save its files; unpack it, or export the mesh as PLY or glTF"},
+    {"\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p"sv, "a SketchUp file; export the mesh from there as COLLADA or STL"},
     {"\xff\xfe"sv, "text in UTF-16; save it as UTF-8"},
     {"\xfe\xff"sv, "text in UTF-16; save it as UTF-8"},
     {"ISO-10303-21"sv, "a STEP file of a CAD program; export its surface from there as STL or 3MF"},
@@ -45,6 +47,7 @@ constexpr Kind kinds[] = {
     {"\x89PNG"sv, "a picture; name a mesh"},
     {"\xff\xd8\xff"sv, "a picture; name a mesh"},
     {"%PDF"sv, "a PDF document; name a mesh"},
+    {"{\"error\""sv, "what a server says instead of a file; download the file again"},
 };
 
 /// Anywhere in a text that begins with a tag.

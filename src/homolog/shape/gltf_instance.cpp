@@ -19,7 +19,7 @@ std::vector<double> weights_of(const json& node, const json& mesh) {
 std::optional<GltfInstance> instance_of(const GltfFile& file, const GltfNode& node, GltfRig& rig) {
   const json& content = entry(file, "nodes", node.number);
   const auto number = number_at(file, content, "mesh");
-  if (!number) return {};
+  if (!number || node.is_hidden) return {};
   const json& mesh = entry(file, "meshes", *number);
   const char* instancing = "EXT_mesh_gpu_instancing";  // whether required or not: the node shows its mesh several times
   if (object_at(content, "extensions").contains(instancing)) refuse_extension(file, instancing);

@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include "homolog/shape/gltf_primitives.h"
+
 namespace homolog {
 namespace {
 
@@ -11,6 +13,12 @@ using nlohmann::json;
 Mat4 local_matrix(const GltfFile& file, const json& node) {
   if (const auto matrix = floats_at(file, node, "matrix", 16)) return Eigen::Map<const Mat4>(matrix->data());
   return matrix_of(stated_pose(file, node));
+}
+
+bool hides_itself(const json& node) {
+  const json& visibility = object_at(object_at(node, "extensions"), "KHR_node_visibility");
+  const auto visible = visibility.find("visible");
+  return visible != visibility.end() && *visible == false;
 }
 
 std::vector<std::size_t> nodes_at_the_top(const GltfFile& file, std::size_t count) {
@@ -54,7 +62,8 @@ std::vector<GltfNode> scene_nodes(const GltfFile& file) {
     if (seen[number]) fail(file, fmt::format("node {} stands in two places of its scene", number));
     seen[number] = true;
     const Mat4 local = local_matrix(file, node);
-    nodes.push_back({number, parent, local, parent ? Mat4(nodes[*parent].world * local) : local});
+    const bool is_hidden = hides_itself(node) || (parent && nodes[*parent].is_hidden);
+    nodes.push_back({number, parent, local, parent ? Mat4(nodes[*parent].world * local) : local, is_hidden});
   };
   for (const std::size_t number : nodes_at_the_top(file, count)) add(number, {});
   for (std::size_t i = 0; i < nodes.size(); ++i) {

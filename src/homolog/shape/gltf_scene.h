@@ -11,6 +11,7 @@ struct GltfNode {
   std::optional<std::size_t> parent;  ///< in the list of nodes of the scene
   Mat4 local;                         ///< parent_from_node, of homogeneous columns
   Mat4 world;                         ///< world_from_node
+  bool is_hidden;                     ///< it or one above says so (KHR_node_visibility): its mesh is not shown
 };
 
 /// What a node says by its translation, rotation and scale. Throws FileError.

@@ -3,6 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace homolog {
@@ -10,7 +13,7 @@ namespace {
 
 using Corners = std::vector<std::uint32_t>;
 
-/// Cutting ears is quadratic at best. What is left after so much work becomes a fan, which has the same winding numbers, only folds.
+/// What is left after so much work becomes a fan, which has the same winding numbers, only folds: where long ears pass many corners.
 constexpr std::size_t most_looks_per_corner = 4096;
 
 Vec3 area_vector(const Mesh& mesh, const Corners& corners) {
@@ -52,44 +55,105 @@ struct Ring {
   bool is_left(std::size_t i) const { return next[i] != i; }
 };
 
-/// Each corner that is looked at counts in `looks`.
-bool is_ear(const Mesh& mesh, const Ring& ring, std::size_t i, const Vec3& normal, std::size_t& looks) {
+/// The corners that turn right, in cells of the plane that the polygon is seen in best. Only they can lie in an ear, and as ears are cut
+/// they get fewer.
+class RightTurns {
+ public:
+  RightTurns(const Mesh& mesh, const Ring& ring, const Vec3& normal) {
+    normal.cwiseAbs().maxCoeff(&across_);
+    Eigen::Vector2d last = seen(mesh.vertices[ring.corners[0]]);
+    first_ = last;
+    for (const std::uint32_t corner : ring.corners) {
+      const Eigen::Vector2d x = seen(mesh.vertices[corner]);
+      first_ = first_.cwiseMin(x);
+      last = last.cwiseMax(x);
+    }
+    along_ = static_cast<std::size_t>(std::ceil(std::sqrt(static_cast<double>(ring.left))));
+    cells_.resize(along_ * along_);
+    cells_a_length_ = static_cast<double>(along_) * (last - first_).cwiseMax(1e-300).cwiseInverse();
+    for (std::size_t i = 0; i < ring.corners.size(); ++i) {
+      if (turn(normal, mesh.vertices[ring.corners[ring.before[i]]], mesh.vertices[ring.corners[i]],
+               mesh.vertices[ring.corners[ring.next[i]]]) > 0)
+        continue;
+      const auto [x, y] = cell_of(seen(mesh.vertices[ring.corners[i]]));
+      cells_[y * along_ + x].push_back(i);
+    }
+  }
+
+  /// Whether one of them, in a cell that the triangle's box touches, is such that `is_in(corner)`. Each cell and corner counts in `looks`.
+  template <class IsIn>
+  bool any_near(const std::array<Vec3, 3>& triangle, std::size_t& looks, const IsIn& is_in) const {
+    const Eigen::Vector2d a = seen(triangle[0]), b = seen(triangle[1]), c = seen(triangle[2]);
+    const auto [x0, y0] = cell_of(a.cwiseMin(b).cwiseMin(c));
+    const auto [x1, y1] = cell_of(a.cwiseMax(b).cwiseMax(c));
+    for (std::size_t y = y0; y <= y1; ++y) {
+      for (std::size_t x = x0; x <= x1; ++x) {
+        const std::vector<std::size_t>& cell = cells_[y * along_ + x];
+        looks += 1 + cell.size();
+        if (std::any_of(cell.begin(), cell.end(), is_in)) return true;
+      }
+    }
+    return false;
+  }
+
+ private:
+  Eigen::Vector2d seen(const Vec3& x) const { return {x[(across_ + 1) % 3], x[(across_ + 2) % 3]}; }
+  std::pair<std::size_t, std::size_t> cell_of(const Eigen::Vector2d& x) const {
+    const Eigen::Vector2d cell = (x - first_).cwiseProduct(cells_a_length_).cwiseMin(static_cast<double>(along_ - 1)).cwiseMax(0);
+    return {static_cast<std::size_t>(cell.x()), static_cast<std::size_t>(cell.y())};
+  }
+
+  int across_ = 0;
+  Eigen::Vector2d first_, cells_a_length_;
+  std::size_t along_;
+  std::vector<std::vector<std::size_t>> cells_;
+};
+
+bool is_ear(const Mesh& mesh, const Ring& ring, std::size_t i, const Vec3& normal, const RightTurns& right_turns, std::size_t& looks) {
   const auto place = [&](std::size_t k) -> const Vec3& { return mesh.vertices[ring.corners[k]]; };
   const Vec3 &a = place(ring.before[i]), &b = place(i), &c = place(ring.next[i]);
   if (turn(normal, a, b, c) <= 0) return false;
-  for (std::size_t k = ring.next[ring.next[i]]; k != ring.before[i]; k = ring.next[k]) {
-    ++looks;
+  return !right_turns.any_near({a, b, c}, looks, [&](std::size_t k) {
     const Vec3& p = place(k);
-    if (p == a || p == b || p == c) continue;
-    if (turn(normal, a, b, p) >= 0 && turn(normal, b, c, p) >= 0 && turn(normal, c, a, p) >= 0) return false;
-  }
-  return true;
+    if (!ring.is_left(k) || p == a || p == b || p == c) return false;
+    return turn(normal, a, b, p) >= 0 && turn(normal, b, c, p) >= 0 && turn(normal, c, a, p) >= 0;
+  });
 }
 
 void append_fan(Mesh& mesh, const Corners& corners) {
   for (std::size_t i = 1; i + 1 < corners.size(); ++i) mesh.triangles.push_back({corners[0], corners[i], corners[i + 1]});
 }
 
-/// Cuts ears off while there are any and the work is not done, and returns what is left. Cutting one changes hardly more than its two
-/// neighbours, so only they are asked again, until none is left to ask.
-Corners without_ears(Mesh& mesh, Corners all, const Vec3& normal) {
-  Ring ring(std::move(all));
-  const std::size_t most_looks = most_looks_per_corner * ring.left;
-  std::size_t looks = 0;
-  for (bool found = true; found && ring.left > 3 && looks < most_looks;) {
-    found = false;
-    std::vector<std::size_t> asked;
-    for (std::size_t i = ring.corners.size(); i-- > 0;) asked.push_back(i);
-    while (!asked.empty() && ring.left > 3 && looks < most_looks) {
-      const std::size_t i = asked.back();
-      asked.pop_back();
-      if (!ring.is_left(i) || !is_ear(mesh, ring, i, normal, looks)) continue;
+/// Asks the corners in rounds, and after each round only the neighbours of those that were cut, since little changes for the others. No two
+/// neighbours are cut in one round, so that ears stay short. Whether any was cut.
+bool cut_ears(Mesh& mesh, Ring& ring, const Vec3& normal, const RightTurns& right_turns, std::size_t& looks, std::size_t most_looks) {
+  bool found = false;
+  std::vector<std::size_t> asked(ring.corners.size()), next;
+  std::iota(asked.begin(), asked.end(), std::size_t{0});
+  std::vector<int> touched(ring.corners.size(), -1);  // in which round
+  for (int round = 0; !asked.empty(); ++round, asked = std::exchange(next, {})) {
+    for (const std::size_t i : asked) {
+      if (ring.left <= 3 || looks > most_looks) return found;
+      if (!ring.is_left(i) || touched[i] == round || !is_ear(mesh, ring, i, normal, right_turns, looks)) continue;
       const std::size_t a = ring.before[i], c = ring.next[i];
       mesh.triangles.push_back({ring.corners[a], ring.corners[i], ring.corners[c]});
       ring.cut(i);
-      asked.insert(asked.end(), {c, a});
+      for (const std::size_t beside : {a, c}) {
+        if (std::exchange(touched[beside], round) != round) next.push_back(beside);
+      }
       found = true;
     }
+  }
+  return found;
+}
+
+/// Cuts ears off while there are any and the work is not done, and returns what is left.
+Corners without_ears(Mesh& mesh, Corners all, const Vec3& normal) {
+  Ring ring(std::move(all));
+  const RightTurns right_turns(mesh, ring, normal);
+  const std::size_t most_looks = most_looks_per_corner * ring.left;
+  std::size_t looks = 0;
+  while (ring.left > 3 && looks < most_looks && cut_ears(mesh, ring, normal, right_turns, looks, most_looks)) {
   }
   Corners left;
   for (std::size_t i = 0; i < ring.corners.size(); ++i) {

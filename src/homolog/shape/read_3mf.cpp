@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "homolog/base/errors.h"
+#include "homolog/shape/slicer_parts.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/xml.h"
 #include "homolog/shape/zip_archive.h"
@@ -144,7 +145,11 @@ class Reader {
 class Assembly {
  public:
   Assembly(const ZipArchive& archive, const std::string& file, const ReadLimits& limits)
-      : archive_(archive), file_(file), limits_(limits), bytes_left_(limits.bytes) {}
+      : archive_(archive),
+        file_(file),
+        limits_(limits),
+        bytes_left_(limits.bytes),
+        no_solids_(no_solid_parts(archive, file, limits.bytes)) {}
 
   const Model& model(const std::string& part) {
     if (const auto known = models_.find(part); known != models_.end()) return known->second;
@@ -164,14 +169,14 @@ class Assembly {
     const Object& object = found->second;
     if (object.is_left_out) return;
     const Mat4 world_from_object = world_from_outer * placed.outer_from_object;
-    append(object.mesh, world_from_object);
+    append(object.mesh, world_from_object, no_solids_[placed.object]);
     for (const Placed& component : object.components) add(component, world_from_object, depth + 1);
   }
 
   Mesh mesh;
 
  private:
-  void append(const Mesh& part, const Mat4& world_from_object) {
+  void append(const Mesh& part, const Mat4& world_from_object, const std::vector<TriangleRange>& no_solids) {
     const std::size_t first = mesh.vertices.size();
     if (mesh.triangles.size() + part.triangles.size() > limits_.triangles || first + part.vertices.size() > 3 * limits_.triangles) {
       throw FileError(fmt::format("{}: it holds more than the {} triangles that are read; simplify the mesh", file_, limits_.triangles));
@@ -181,7 +186,18 @@ class Assembly {
       if (!mesh.vertices.back().allFinite()) fail(file_, "a coordinate is not a finite number");
     }
     const auto offset = static_cast<std::uint32_t>(first);
-    for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({offset + a, offset + b, offset + c});
+    std::vector<long> changes(part.triangles.size() + 1);  // of the number of ranges that a triangle is in, from the one before it
+    for (const auto& [from, to] : no_solids) {
+      if (from > to || to >= part.triangles.size()) fail(file_, "its slicer's parts do not fit its triangles");
+      ++changes[from];
+      --changes[to + 1];
+    }
+    long ranges = 0;
+    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
+      ranges += changes[t];
+      const auto& [a, b, c] = part.triangles[t];
+      if (ranges == 0) mesh.triangles.push_back({offset + a, offset + b, offset + c});
+    }
   }
 
   const ZipArchive& archive_;
@@ -190,6 +206,7 @@ class Assembly {
   std::map<std::string, Model> models_;
   std::size_t placed_ = 0;
   std::uint64_t bytes_left_;  // to be unpacked
+  std::map<std::string, std::vector<TriangleRange>> no_solids_;
 };
 
 /// The part that the archive says to begin with.

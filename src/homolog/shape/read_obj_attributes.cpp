@@ -41,7 +41,7 @@ void read_vertex(Reader& reader, std::string_view line) {
   for (std::string_view& word : words) word = take_word(line);
   if (words[2].empty()) return;  // nothing, or a weight
   Rgba colour{0, 0, 0, 1};
-  for (int k = 0; k < 3; ++k) colour[k] = static_cast<float>(std::clamp(take_number(reader.text, words[k], "a colour"), 0.0, 1.0));
+  for (int k = 0; k < 3; ++k) colour[k] = static_cast<float>(std::clamp(take_number(reader.text, words[k], "a colour"), 0.0, 255.0));
   reader.colours.push_back(colour);
 }
 
@@ -102,6 +102,16 @@ void read_line(Reader& reader, std::string_view line) {
   }
 }
 
+/// Some programs write colours to 255 instead of to 1.
+std::vector<Rgba> to_one(std::vector<Rgba> colours) {
+  float most = 0;
+  for (const Rgba& colour : colours) most = std::max({most, colour[0], colour[1], colour[2]});
+  for (Rgba& colour : colours) {
+    for (int k = 0; k < 3 && most > 1; ++k) colour[k] /= 255;
+  }
+  return colours;
+}
+
 /// The UV numbers of the triangles that a face became.
 void append_corners(Reader& reader, const Face& face, const Mesh& triangles, std::size_t first) {
   for (std::size_t t = first; t < triangles.triangles.size(); ++t) {
@@ -134,7 +144,7 @@ AttributedMesh read_obj_attributes(std::string_view content, const std::string& 
     append_polygon(again, face.vertices);
     append_corners(reader, face, again, first);
   }
-  if (reader.colours.size() == mesh.mesh.vertices.size()) mesh.colours = std::move(reader.colours);
+  if (reader.colours.size() == mesh.mesh.vertices.size()) mesh.colours = to_one(std::move(reader.colours));
   if (!reader.texturing.uvs.empty() || !reader.texturing.materials.empty()) mesh.texturing = std::move(reader.texturing);
   return mesh;
 }

@@ -12,16 +12,22 @@
 namespace homolog {
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"},
+    long_names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
 constexpr int other = -1;
+
+int column_of(const std::string& name) {
+  for (int column = 0; column < 6; ++column) {
+    if (name == names[column] || name == long_names[column]) return column;
+  }
+  return other;
+}
 
 /// For every property which of the six it is, or `other`.
 std::vector<int> columns_of(const PlySource& source, const PlyElement& element) {
   std::vector<int> columns;
   for (const PlyProperty& property : element.properties) {
-    const auto name = std::find(names.begin(), names.end(), property.name);
-    const bool wanted = property.count_type == NumberType::none && name != names.end();
-    columns.push_back(wanted ? static_cast<int>(name - names.begin()) : other);
+    columns.push_back(property.count_type == NumberType::none ? column_of(property.name) : other);
   }
   for (int column = 0; column < 6; ++column) {
     const auto count = std::count(columns.begin(), columns.end(), column);

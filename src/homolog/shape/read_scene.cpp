@@ -28,12 +28,40 @@ struct NoFiles : Assimp::DefaultIOSystem {
   Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
 };
 
-void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
-  const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
-  for (unsigned i = 0; i < part.mNumVertices; ++i) {
-    const aiVector3D& v = part.mVertices[i];
-    mesh.vertices.emplace_back(v.x, v.y, v.z);
+aiMatrix4x4 world_from(const aiNode* node) {
+  aiMatrix4x4 matrix;
+  for (; node; node = node->mParent) matrix = node->mTransformation * matrix;
+  return matrix;
+}
+
+/// Where the vertices of a node's mesh stand: by its joints, as those of a glTF, where it has any, else by the node.
+std::vector<aiVector3D> placed(const aiMesh& part, const aiNode& node, const aiScene& scene, const std::string& file) {
+  std::vector<aiVector3D> places(part.mNumVertices);
+  std::vector<float> weights(part.mNumVertices);
+  for (unsigned b = 0; b < part.mNumBones; ++b) {
+    const aiBone& bone = *part.mBones[b];
+    const aiNode* joint = scene.mRootNode->FindNode(bone.mName);
+    const aiMatrix4x4 matrix = world_from(joint) * bone.mOffsetMatrix;
+    for (unsigned i = 0; joint && i < bone.mNumWeights; ++i) {
+      const auto& [vertex, weight] = bone.mWeights[i];
+      if (vertex >= part.mNumVertices) throw FileError(fmt::format("{}: a joint moves vertex {}; the file is damaged", file, vertex));
+      places[vertex] += weight * (matrix * part.mVertices[vertex]);
+      weights[vertex] += weight;
+    }
   }
+  const aiMatrix4x4 own = world_from(&node);
+  for (unsigned i = 0; i < part.mNumVertices; ++i) {
+    if (weights[i] > 0)
+      places[i] /= weights[i];
+    else
+      places[i] = own * part.mVertices[i];
+  }
+  return places;
+}
+
+void append(Mesh& mesh, const aiMesh& part, const std::vector<aiVector3D>& places, const std::string& file) {
+  const auto offset = static_cast<std::uint32_t>(mesh.vertices.size());
+  for (const aiVector3D& v : places) mesh.vertices.emplace_back(v.x, v.y, v.z);
   for (unsigned i = 0; i < part.mNumFaces; ++i) {
     const aiFace& face = part.mFaces[i];
     if (face.mNumIndices != 3) continue;
@@ -44,6 +72,14 @@ void append(Mesh& mesh, const aiMesh& part, const std::string& file) {
     }
     mesh.triangles.push_back({offset + face.mIndices[0], offset + face.mIndices[1], offset + face.mIndices[2]});
   }
+}
+
+void append(Mesh& mesh, const aiNode& node, const aiScene& scene, const std::string& file) {
+  for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+    const aiMesh& part = *scene.mMeshes[node.mMeshes[i]];
+    append(mesh, part, placed(part, node, scene, file), file);
+  }
+  for (unsigned i = 0; i < node.mNumChildren; ++i) append(mesh, *node.mChildren[i], scene, file);
 }
 
 /// Whole, but without any mesh: assimp calls it damaged.
@@ -65,7 +101,7 @@ const aiScene* imported(Assimp::Importer& importer, std::string_view content, co
     if (importer.GetException()) std::rethrow_exception(importer.GetException());
     if (format == "dae" && scene && scene->mRootNode)
       scene->mRootNode->mTransformation = aiMatrix4x4();  // else metres are made of its unit
-    if (scene) scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_PreTransformVertices);
+    if (scene) scene = importer.ApplyPostProcessing(aiProcess_Triangulate | aiProcess_SortByPType);
     return scene;
   } catch (const std::bad_alloc&) {
     throw;
@@ -80,10 +116,11 @@ Mesh read_by_assimp(std::string_view content, const std::string& format, const s
   if (format == "dae" && is_empty_collada(content)) return mesh;
   const aiScene* scene = imported(importer, content, format);
   if (!scene) {
-    throw FileError(fmt::format("{}: it cannot be read as {}; it is truncated, damaged or of an unknown version, export it again", file,
-                                name_of(format)));
+    throw FileError(fmt::format(
+        "{}: it cannot be read as {}; it is damaged, or holds what the library that reads it does not know: export it again, or as glTF",
+        file, name_of(format)));
   }
-  for (unsigned i = 0; i < scene->mNumMeshes; ++i) append(mesh, *scene->mMeshes[i], file);
+  if (scene->mRootNode) append(mesh, *scene->mRootNode, *scene, file);
   return weld(mesh);
 }
 
@@ -93,7 +130,7 @@ std::string scene_format(std::string_view content, const std::string& extension)
   for (const std::string_view begin : {"Kaydara FBX Binary", "; FBX"}) {
     if (content.starts_with(begin)) return "fbx";
   }
-  if (content.starts_with("AC3Db")) return "ac";
+  if (content.starts_with("AC3D")) return "ac";
   const std::string start = lower(content.substr(0, telling_bytes));
   const std::size_t first = start.find_first_not_of(" \t\r\n");
   if (first != std::string::npos && start[first] == '<' && start.find("<collada") != std::string::npos) return "dae";
