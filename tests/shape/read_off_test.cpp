@@ -28,6 +28,7 @@ TEST_F(ReadOff, KnowsTheFormatsVariants) {
 }
 
 TEST_F(ReadOff, RefusesDamagedFiles) {
+  expect_error("a.off", "OFF\n3\n1\n0\n0\n0\n0\n", "line 2: the numbers of vertices and faces must stand in one line");
   expect_error("a.off", "# nothing\n", "empty");
   expect_error("a.off", tetrahedron + "3 0 1 2\n", "faces are announced, but the file goes on after them");
   expect_error("a.off", "OFF\n3 1 0\n0 0 0 1 0 0 0 1 0\n3 0 1 2\n", "not every vertex has a line of its own");

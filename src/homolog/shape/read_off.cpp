@@ -29,6 +29,9 @@ Counts read_header(Text& text) {
   }
   Counts counts{};
   counts.vertices = take_integer(text, line, "the number of vertices (after the word OFF)");
+  if (rest_of(line).empty() && !text.rest.empty()) {
+    fail(text, "the numbers of vertices and faces must stand in one line, as each vertex and each face must; save it so, or as PLY");
+  }
   counts.faces = take_integer(text, line, "the number of faces");
   const auto left = static_cast<long long>(text.rest.size());
   if (counts.vertices < 0 || counts.faces < 0 || counts.vertices > left / 5 || counts.faces > left / 3) {  // a line "0 0 0" or "1 0"
