@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // 3MF: a whole archive, and what stands in its parts, put into an archive anew: else little but check sums would be tried.
+#include <sstream>
+
 #include "fuzz/target.h"
 #include "homolog/shape/read_3mf.h"
 #include "shape/zip_files.h"
@@ -11,11 +13,12 @@ const ReadLimits limits{100000, 10000};
 
 Mesh read(const std::string& content, const std::string& file) { return read_3mf(content, file, limits); }
 
-/// The second part begins behind a NUL byte.
+/// The second part and what a slicer tells begin behind a NUL byte each.
 void run_parts(const std::string& bytes) {
-  const std::size_t end = bytes.find('\0');
-  const std::string beside = end == bytes.npos ? std::string() : bytes.substr(end + 1);
-  run_mesh_reader(read, zip::threemf(bytes.substr(0, end), beside));
+  std::string parts[3];
+  std::istringstream rest(bytes);
+  for (std::string& part : parts) std::getline(rest, part, '\0');
+  run_mesh_reader(read, zip::threemf(parts[0], parts[1], parts[2]));
 }
 
 }  // namespace
@@ -29,6 +32,8 @@ Target threemf() {
 Target threemf_parts() {
   return {"3mf_parts",
           {zip::model(), zip::assembly() + '\0' + zip::model(),
+           zip::model() + '\0' + '\0' + R"(<config><object id="1"><volume firstid="1" lastid="2"><metadata key="modifier" value="1"/>)" +
+               R"(<metadata key="volume_type" value="ParameterModifier"/></volume></object></config>)",
            R"(<model xmlns:p="http://schemas.microsoft.com/3dmanufacturing/production/2015/06" requiredextensions="p q"><build>)"
            R"(<item objectid="1" printable="0"/></build></model>)"},
           run_parts};

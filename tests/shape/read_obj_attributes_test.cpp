@@ -84,6 +84,7 @@ TEST_F(ReadObjAttributes, KnowsPicturesOfOneNameByTheirFolders) {
 TEST_F(ReadObjAttributes, TakesColoursIfAllVerticesHaveThem) {
   EXPECT_EQ(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n").colours[0], (Rgba{1, 0, 0.5f, 1}));
   EXPECT_EQ(read_painted("v 0 0 0 255 0 51\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n").colours[0], (Rgba{1, 0, 0.2f, 1}));
+  EXPECT_EQ(read_painted("v 0 0 0 1.01 0 0.5\nv 1 0 0 0 0 0\nv 0 1 0 1 1 1\nf 1 2 3\n").colours[0], (Rgba{1, 0, 0.5f, 1}));
   EXPECT_TRUE(read_painted("v 0 0 0 1 0 0.5\nv 1 0 0\nv 0 1 0 1\nf 1 2 3\n").colours.empty());
 }
 

@@ -98,10 +98,12 @@ class RightTurns {
 
  private:
   Eigen::Vector2d seen(const Vec3& x) const { return {x[(across_ + 1) % 3], x[(across_ + 2) % 3]}; }
-  std::pair<std::size_t, std::size_t> cell_of(const Eigen::Vector2d& x) const {
-    const Eigen::Vector2d cell = (x - first_).cwiseProduct(cells_a_length_).cwiseMin(static_cast<double>(along_ - 1)).cwiseMax(0);
-    return {static_cast<std::size_t>(cell.x()), static_cast<std::size_t>(cell.y())};
+  /// Of numbers too large to be subtracted, the first.
+  std::size_t cell_along(int axis, double x) const {
+    const double cell = (x - first_[axis]) * cells_a_length_[axis];
+    return cell > 0 ? static_cast<std::size_t>(std::min(cell, static_cast<double>(along_ - 1))) : 0;
   }
+  std::pair<std::size_t, std::size_t> cell_of(const Eigen::Vector2d& x) const { return {cell_along(0, x[0]), cell_along(1, x[1])}; }
 
   int across_ = 0;
   Eigen::Vector2d first_, cells_a_length_;

@@ -158,6 +158,10 @@ class Assembly {
     bytes_left_ -= text->size();
     Reader reader(part, file_, limits_.triangles);
     read_xml(*text, file_, {[&](const XmlElement& element) { return reader.begin(element); }});
+    for (const auto& [id, parts] : no_solids_) {
+      if (const auto object = reader.model.objects.find(id); object != reader.model.objects.end())
+        leave_out(object->second.mesh, parts, file_);
+    }
     return models_.emplace(part, std::move(reader.model)).first->second;
   }
 
@@ -169,14 +173,14 @@ class Assembly {
     const Object& object = found->second;
     if (object.is_left_out) return;
     const Mat4 world_from_object = world_from_outer * placed.outer_from_object;
-    append(object.mesh, world_from_object, no_solids_[placed.object]);
+    append(object.mesh, world_from_object);
     for (const Placed& component : object.components) add(component, world_from_object, depth + 1);
   }
 
   Mesh mesh;
 
  private:
-  void append(const Mesh& part, const Mat4& world_from_object, const std::vector<TriangleRange>& no_solids) {
+  void append(const Mesh& part, const Mat4& world_from_object) {
     const std::size_t first = mesh.vertices.size();
     if (mesh.triangles.size() + part.triangles.size() > limits_.triangles || first + part.vertices.size() > 3 * limits_.triangles) {
       throw FileError(fmt::format("{}: it holds more than the {} triangles that are read; simplify the mesh", file_, limits_.triangles));
@@ -186,18 +190,7 @@ class Assembly {
       if (!mesh.vertices.back().allFinite()) fail(file_, "a coordinate is not a finite number");
     }
     const auto offset = static_cast<std::uint32_t>(first);
-    std::vector<long> changes(part.triangles.size() + 1);  // of the number of ranges that a triangle is in, from the one before it
-    for (const auto& [from, to] : no_solids) {
-      if (from > to || to >= part.triangles.size()) fail(file_, "its slicer's parts do not fit its triangles");
-      ++changes[from];
-      --changes[to + 1];
-    }
-    long ranges = 0;
-    for (std::size_t t = 0; t < part.triangles.size(); ++t) {
-      ranges += changes[t];
-      const auto& [a, b, c] = part.triangles[t];
-      if (ranges == 0) mesh.triangles.push_back({offset + a, offset + b, offset + c});
-    }
+    for (const auto& [a, b, c] : part.triangles) mesh.triangles.push_back({offset + a, offset + b, offset + c});
   }
 
   const ZipArchive& archive_;
@@ -206,7 +199,7 @@ class Assembly {
   std::map<std::string, Model> models_;
   std::size_t placed_ = 0;
   std::uint64_t bytes_left_;  // to be unpacked
-  std::map<std::string, std::vector<TriangleRange>> no_solids_;
+  const std::map<std::string, std::vector<TriangleRange>> no_solids_;
 };
 
 /// The part that the archive says to begin with.

@@ -102,12 +102,13 @@ void read_line(Reader& reader, std::string_view line) {
   }
 }
 
-/// Some programs write colours to 255 instead of to 1.
+/// Some programs write colours to 255 instead of to 1, others a little more than 1.
 std::vector<Rgba> to_one(std::vector<Rgba> colours) {
   float most = 0;
   for (const Rgba& colour : colours) most = std::max({most, colour[0], colour[1], colour[2]});
+  const float whole = most > 2 ? 255 : 1;
   for (Rgba& colour : colours) {
-    for (int k = 0; k < 3 && most > 1; ++k) colour[k] /= 255;
+    for (int k = 0; k < 3; ++k) colour[k] = std::min(colour[k] / whole, 1.0f);
   }
   return colours;
 }

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/slicer_parts.h"
 
-#include <optional>
+#include <fmt/format.h>
 
+#include <optional>
+#include <utility>
+
+#include "homolog/base/errors.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/xml.h"
 
@@ -41,6 +45,23 @@ std::map<std::string, std::vector<TriangleRange>> no_solid_parts(const ZipArchiv
     return true;
   }});
   return parts;
+}
+
+void leave_out(Mesh& mesh, const std::vector<TriangleRange>& parts, const std::string& file) {
+  std::vector<long> changes(mesh.triangles.size() + 1);  // of the number of parts that a triangle is in, from the one before it
+  for (const auto& [from, to] : parts) {
+    if (from > to || to >= mesh.triangles.size())
+      throw FileError(fmt::format("{}: its slicer's parts do not fit its triangles; the file is damaged, export it again", file));
+    ++changes[from];
+    --changes[to + 1];
+  }
+  std::vector<Triangle> kept;
+  long within = 0;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    within += changes[t];
+    if (within == 0) kept.push_back(mesh.triangles[t]);
+  }
+  mesh.triangles = std::move(kept);
 }
 
 }  // namespace homolog

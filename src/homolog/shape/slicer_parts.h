@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "homolog/shape/mesh.h"
 #include "homolog/shape/zip_archive.h"
 
 namespace homolog {
@@ -20,5 +21,8 @@ struct TriangleRange {
 /// negative volumes and supports. By the number of the object; none where there is no such file. Throws FileError when it is damaged, or
 /// longer than `most`.
 std::map<std::string, std::vector<TriangleRange>> no_solid_parts(const ZipArchive& archive, const std::string& file, std::uint64_t most);
+
+/// Without the triangles of these parts. Throws FileError for a part beyond the mesh.
+void leave_out(Mesh& mesh, const std::vector<TriangleRange>& parts, const std::string& file);
 
 }  // namespace homolog
