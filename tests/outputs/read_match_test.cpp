@@ -188,6 +188,8 @@ TEST_F(ReadResult, RefusesWhatIsNotWhole) {
   EXPECT_THAT(message("\"mirrored\"", "\"turned\""), HasSubstr("the handedness \"turned\" is not known"));
   EXPECT_THAT(message("\"mirrored\"", "\"proper\""), HasSubstr("a match is told to be proper, but its map is not"));
   EXPECT_THAT(message("\"data\":2", "\"data\":9"), HasSubstr("a pair names a point that is not there"));
+  EXPECT_THAT(message("\"data\":2", "\"data\":1e123"), HasSubstr("1e+123 is not a whole number from 0 on; the file is damaged"));
+  EXPECT_THAT(message("\"data\":2", "\"data\":-2"), HasSubstr("-2 is not a whole number from 0 on"));
   EXPECT_THAT(message("\"sigma0\"", "\"omega\""), HasSubstr("omega"));
   EXPECT_THAT(message("\"counts\"", "\"count\""), HasSubstr("this is not a file of matches"));
   write_parts(1);

@@ -28,7 +28,7 @@ double read_share(const ordered_json& value, const char* what, const std::string
 }
 
 Vec3 read_place(const ordered_json& shape, const ordered_json& number, const std::string& file) {
-  return read_vector(shape.at("points").at(number.get<std::size_t>()).at("position"), file);
+  return read_vector(shape.at("points").at(read_whole_number(number, file)).at("position"), file);
 }
 
 /// Refuses a warp that leads a pair apart: wherever a warp leads a point, the place is no farther from the point's partner than the data is
@@ -115,8 +115,8 @@ void add_parts(const ordered_json& json, const std::string& file, StoredFamily& 
     family.matches[i].model = read_samples(model, matches[i].at("model"), file);
     family.matches[i].data = read_samples(data, matches[i].at("data"), file);
   }
-  family.model.vertices = model.at("vertices");
-  family.data.vertices = data.at("vertices");
+  family.model.vertices = read_whole_number(model.at("vertices"), file);
+  family.data.vertices = read_whole_number(data.at("vertices"), file);
   family.parts_known = true;
 }
 
@@ -178,13 +178,12 @@ CorrespondenceSet read_pairs(const ordered_json& list, const Shape& model, const
   CorrespondenceSet pairs;
   if (list.empty()) fail(file, no_pairs);
   for (const ordered_json& item : list) {
-    Correspondence pair{item.at("model"), item.at("data"), {}, {}, item.at("descriptor_distance"), 0};
-    const auto is_one_of = [](int number, const Shape& shape) { return number >= 0 && number < static_cast<int>(shape.points.size()); };
-    if (!is_one_of(pair.model, model) || !is_one_of(pair.data, data))
+    const std::size_t of_model = read_whole_number(item.at("model"), file), of_data = read_whole_number(item.at("data"), file);
+    if (of_model >= model.points.size() || of_data >= data.points.size())
       fail(file, "a pair names a point that is not there; the file is damaged");
-    pair.model_point = model.points[static_cast<std::size_t>(pair.model)];
-    pair.data_point = data.points[static_cast<std::size_t>(pair.data)];
-    pair.confidence = read_share(item.at("confidence"), "the confidence of a pair", file);
+    const Correspondence pair{static_cast<int>(of_model),     static_cast<int>(of_data),
+                              model.points[of_model],         data.points[of_data],
+                              item.at("descriptor_distance"), read_share(item.at("confidence"), "the confidence of a pair", file)};
     check_pair(warp, pair.model_point.position, pair.data_point.position, data.diagonal, file);
     pairs.push_back(pair);
   }
@@ -212,7 +211,8 @@ ReadResult read_whole(const ordered_json& json, const std::string& file) {
   result.model = read_shape(json.at("model"), file);
   result.data = read_shape(json.at("data"), file);
   if (!(result.model.diagonal > 0 && result.data.diagonal > 0)) fail(file, "a size is not positive; the file is damaged");
-  for (const auto& [stage, count] : json.at("counts").items()) result.family.counts.stages.emplace_back(stage, count.get<long>());
+  for (const auto& [stage, count] : json.at("counts").items())
+    result.family.counts.stages.emplace_back(stage, static_cast<long>(read_whole_number(count, file)));
   for (const ordered_json& match : json.at("matches")) result.family.matches.push_back(read_match(match, result.model, result.data, file));
   return result;
 }

@@ -23,6 +23,11 @@ bool is_map(const Mat3& linear) { return std::abs(linear.determinant()) > 1e-12 
 
 void fail(const std::string& file, const std::string& what) { throw FileError(fmt::format("{}: {}", file, what)); }
 
+std::size_t read_whole_number(const ordered_json& value, const std::string& file) {
+  if (!value.is_number_unsigned()) fail(file, fmt::format("{} is not a whole number from 0 on; the file is damaged", shown_value(value)));
+  return value.get<std::size_t>();
+}
+
 Vec3 read_vector(const ordered_json& item, const std::string& file) {
   const auto x = item.get<std::array<double, 3>>();
   if (item.size() != 3) fail(file, "a vector has not three numbers; the file is damaged");
