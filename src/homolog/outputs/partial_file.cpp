@@ -36,7 +36,7 @@ std::string reason_of(int error) {
 }
 
 /// Where a link leads, so that it stays a link; a link that leads nowhere is replaced.
-fs::path followed(fs::path path) {
+fs::path followed(const fs::path& path) {
   std::error_code not_there;
   const fs::path target = fs::is_symlink(path, not_there) ? fs::canonical(path, not_there) : fs::path();
   return target.empty() ? path : target;
@@ -56,7 +56,7 @@ bool was_removed(int file) {
 
 }  // namespace
 
-PartialFile::PartialFile(fs::path path) : path_(followed(std::move(path))) {
+PartialFile::PartialFile(const fs::path& path) : path_(followed(path)) {
   if (std::error_code ignored; fs::is_directory(path_, ignored)) fail(path_, "a folder has this name");
   while (file_ < 0) {
     partial_ = partial_name(path_);

@@ -10,7 +10,7 @@ namespace homolog {
 class PartialFile {
  public:
   /// An empty one, which leaves what lies at `path` as it is. Throws OutputError.
-  explicit PartialFile(std::filesystem::path path);
+  explicit PartialFile(const std::filesystem::path& path);
   /// Removes it, unless it has got its name.
   ~PartialFile();
   PartialFile(const PartialFile&) = delete;
