@@ -21,9 +21,10 @@ const std::string header =
 
 PointCloud capsule() { return clouds::sampled(fixtures::mesh_of(fixtures::capsule({0, 0, 0}, {6, 0, 0}, 1), 60), 500); }
 
-std::string ply(const PointCloud& cloud) {
+std::string ply(const PointCloud& cloud, const std::string& normal = "n") {
   std::string text = fmt::format("ply\nformat ascii 1.0\nelement vertex {}\n", cloud.points.size());
-  for (const char* name : {"x", "y", "z", "nx", "ny", "nz"}) text += fmt::format("property double {}\n", name);
+  for (const std::string axis : {"x", "y", "z"}) text += fmt::format("property double {}\n", axis);
+  for (const std::string axis : {"x", "y", "z"}) text += fmt::format("property double {}{}\n", normal, axis);
   return text + "end_header\n" + clouds::xyz(cloud);
 }
 
@@ -31,7 +32,8 @@ TEST_F(ReadCloud, EveryFormatGivesTheSameSurface) {
   const PointCloud cloud = capsule();
   const Mesh mesh = read("a.xyz", clouds::xyz(cloud));
   EXPECT_NEAR(meshes::volume(mesh), M_PI * (6 + 4.0 / 3), 0.5);
-  for (const auto& [name, content] : {std::pair{"b.ply", ply(cloud)}, {"c.txt", "# x y z nx ny nz\n\n" + clouds::xyz(cloud)}}) {
+  for (const auto& [name, content] :
+       {std::pair{"b.ply", ply(cloud)}, {"long.ply", ply(cloud, "normal_")}, {"c.txt", "# x y z nx ny nz\n\n" + clouds::xyz(cloud)}}) {
     SCOPED_TRACE(name);
     EXPECT_EQ(read(name, content).vertices, mesh.vertices);
   }

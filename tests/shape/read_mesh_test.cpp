@@ -41,6 +41,10 @@ TEST_F(ReadMesh, AppliesTheTransformsOfGltfNodes) {
   EXPECT_EQ(mesh.triangles.size(), 24u);
   EXPECT_NEAR(meshes::volume(mesh), 1 + 8, 1e-5);
   EXPECT_EQ(bounding_box(mesh).max, Vec3(12, 2, 2));
+  std::string hidden = gltf_text();  // and with it what hangs on it
+  hidden.insert(hidden.find(R"("children":[2])"), R"("extensions":{"KHR_node_visibility":{"visible":false}},)");
+  EXPECT_EQ(read("b.gltf", hidden).triangles.size(), 12u);
+  EXPECT_EQ(read("b.gltf", hidden.replace(hidden.find("false"), 5, "true")).triangles.size(), 24u);
   write("box.bin", bytes.substr(0, 100));
   expect_error("a.gltf", gltf_text(), "a buffer is longer than its data");
 }

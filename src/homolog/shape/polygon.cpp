@@ -14,7 +14,7 @@ namespace {
 using Corners = std::vector<std::uint32_t>;
 
 /// What is left after so much work becomes a fan, which has the same winding numbers, only folds: where long ears pass many corners.
-constexpr std::size_t most_looks_per_corner = 4096;
+constexpr long long most_looks_per_corner = 4096;
 
 Vec3 area_vector(const Mesh& mesh, const Corners& corners) {
   Vec3 sum = Vec3::Zero();
@@ -80,16 +80,16 @@ class RightTurns {
     }
   }
 
-  /// Whether one of them, in a cell that the triangle's box touches, is such that `is_in(corner)`. Each cell and corner counts in `looks`.
+  /// Whether one of them, in a cell that the triangle's box touches, is such that `is_in(corner)`. Each cell and corner is a look.
   template <class IsIn>
-  bool any_near(const std::array<Vec3, 3>& triangle, std::size_t& looks, const IsIn& is_in) const {
+  bool any_near(const std::array<Vec3, 3>& triangle, long long& looks_left, const IsIn& is_in) const {
     const Eigen::Vector2d a = seen(triangle[0]), b = seen(triangle[1]), c = seen(triangle[2]);
     const auto [x0, y0] = cell_of(a.cwiseMin(b).cwiseMin(c));
     const auto [x1, y1] = cell_of(a.cwiseMax(b).cwiseMax(c));
     for (std::size_t y = y0; y <= y1; ++y) {
       for (std::size_t x = x0; x <= x1; ++x) {
         const std::vector<std::size_t>& cell = cells_[y * along_ + x];
-        looks += 1 + cell.size();
+        looks_left -= 1 + std::ssize(cell);
         if (std::any_of(cell.begin(), cell.end(), is_in)) return true;
       }
     }
@@ -111,11 +111,11 @@ class RightTurns {
   std::vector<std::vector<std::size_t>> cells_;
 };
 
-bool is_ear(const Mesh& mesh, const Ring& ring, std::size_t i, const Vec3& normal, const RightTurns& right_turns, std::size_t& looks) {
+bool is_ear(const Mesh& mesh, const Ring& ring, std::size_t i, const Vec3& normal, const RightTurns& right_turns, long long& looks_left) {
   const auto place = [&](std::size_t k) -> const Vec3& { return mesh.vertices[ring.corners[k]]; };
   const Vec3 &a = place(ring.before[i]), &b = place(i), &c = place(ring.next[i]);
   if (turn(normal, a, b, c) <= 0) return false;
-  return !right_turns.any_near({a, b, c}, looks, [&](std::size_t k) {
+  return !right_turns.any_near({a, b, c}, looks_left, [&](std::size_t k) {
     const Vec3& p = place(k);
     if (!ring.is_left(k) || p == a || p == b || p == c) return false;
     return turn(normal, a, b, p) >= 0 && turn(normal, b, c, p) >= 0 && turn(normal, c, a, p) >= 0;
@@ -127,16 +127,16 @@ void append_fan(Mesh& mesh, const Corners& corners) {
 }
 
 /// Asks the corners in rounds, and after each round only the neighbours of those that were cut, since little changes for the others. No two
-/// neighbours are cut in one round, so that ears stay short. Whether any was cut.
-bool cut_ears(Mesh& mesh, Ring& ring, const Vec3& normal, const RightTurns& right_turns, std::size_t& looks, std::size_t most_looks) {
+/// neighbours are cut in one round, so that ears stay short. Whether any was cut and it is worth to ask all again.
+bool cut_ears(Mesh& mesh, Ring& ring, const Vec3& normal, const RightTurns& right_turns, long long& looks_left) {
   bool found = false;
   std::vector<std::size_t> asked(ring.corners.size()), next;
   std::iota(asked.begin(), asked.end(), std::size_t{0});
   std::vector<int> touched(ring.corners.size(), -1);  // in which round
   for (int round = 0; !asked.empty(); ++round, asked = std::exchange(next, {})) {
     for (const std::size_t i : asked) {
-      if (ring.left <= 3 || looks > most_looks) return found;
-      if (!ring.is_left(i) || touched[i] == round || !is_ear(mesh, ring, i, normal, right_turns, looks)) continue;
+      if (ring.left <= 3 || looks_left <= 0) return false;
+      if (!ring.is_left(i) || touched[i] == round || !is_ear(mesh, ring, i, normal, right_turns, looks_left)) continue;
       const std::size_t a = ring.before[i], c = ring.next[i];
       mesh.triangles.push_back({ring.corners[a], ring.corners[i], ring.corners[c]});
       ring.cut(i);
@@ -153,9 +153,8 @@ bool cut_ears(Mesh& mesh, Ring& ring, const Vec3& normal, const RightTurns& righ
 Corners without_ears(Mesh& mesh, Corners all, const Vec3& normal) {
   Ring ring(std::move(all));
   const RightTurns right_turns(mesh, ring, normal);
-  const std::size_t most_looks = most_looks_per_corner * ring.left;
-  std::size_t looks = 0;
-  while (ring.left > 3 && looks < most_looks && cut_ears(mesh, ring, normal, right_turns, looks, most_looks)) {
+  long long looks_left = most_looks_per_corner * std::ssize(ring.corners);
+  while (cut_ears(mesh, ring, normal, right_turns, looks_left)) {
   }
   Corners left;
   for (std::size_t i = 0; i < ring.corners.size(); ++i) {

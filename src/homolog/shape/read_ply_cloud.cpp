@@ -12,15 +12,14 @@
 namespace homolog {
 namespace {
 
-constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"},
-    long_names{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+constexpr std::array<std::string_view, 6> names{"x", "y", "z", "nx", "ny", "nz"};
+constexpr std::string_view long_normal = "normal_";  // as some write nx, ny, nz
 constexpr int other = -1;
 
-int column_of(const std::string& name) {
-  for (int column = 0; column < 6; ++column) {
-    if (name == names[column] || name == long_names[column]) return column;
-  }
-  return other;
+int column_of(std::string name) {
+  if (name.starts_with(long_normal)) name.replace(0, long_normal.size(), "n");
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found != names.end() ? static_cast<int>(found - names.begin()) : other;
 }
 
 /// For every property which of the six it is, or `other`.
