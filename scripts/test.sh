@@ -42,7 +42,7 @@ sanitized_tests() {
 # shellcheck disable=SC2317
 sanitized_program() {
   configure_and_build dev --target homolog_cli example_01_match example_02_stages example_03_match_stages &&
-    ctest --preset dev -R '^(cli|faults|symmetry|transfer|refusals|morph|dense|overwrite|mutation)$'
+    ctest --preset dev -R '^(cli|faults|symmetry|transfer|refusals|volumes|morph|dense|overwrite|mutation)$'
 }
 # shellcheck disable=SC2317
 valgrind_program() {

@@ -10,11 +10,11 @@ import signal
 import struct
 import subprocess
 import sys
-import threading
 import unittest
 import zlib
 
 import bear
+import cloud_files
 import fbx_files
 import mesh_files
 import volume_files
@@ -25,10 +25,6 @@ NOBODY = 65534
 
 
 class LyingFiles(Program):
-    def write(self, name, content):
-        with open(self.path(name), "wb") as file:
-            file.write(content)
-
     def refuse(self, name, content, part=""):
         self.write(name, content)
         with self.subTest(name):
@@ -59,10 +55,15 @@ class LyingFiles(Program):
         self.refuse("circle.gltf", mesh_files.gltf(v, f).replace(b'"mesh": 0, "tr', b'"mesh": 0, "children": [0], "tr'))
 
     def test_decompression_bomb(self):
-        def bomb(times):
-            return mesh_files.threemf('<?xml version="1.0"?><model><resources>' + " " * times)
+        self.write("bomb.3mf", mesh_files.threemf('<?xml version="1.0"?><model><resources>' + " " * (200 << 20)))
+        self.expect_message(3, "'3D/3dmodel.model' in it has more than the 100000000 bytes that are read", "points", "bomb.3mf", "--max-bytes", "1e8")
+        self.expect_message(3, "it stops being XML here (no element found)", "points", "bomb.3mf")
 
-        self.refuse("bomb.3mf", bomb(200 << 20))
+    @limits_memory
+    def test_what_is_unpacked_is_held_once_and_as_it_grows(self):
+        self.write("bomb.3mf", mesh_files.threemf('<?xml version="1.0"?><model><resources>' + " " * (200 << 20)))
+        self.expect_message(3, "it stops being XML here", "points", "bomb.3mf", "--max-memory", "450")
+        self.expect_message(3, "not enough memory to read it", "points", "bomb.3mf", "--max-memory", "100")
 
     @limits_memory
     def test_bomb_of_entities(self):
@@ -147,6 +148,10 @@ class Limits(Program):
             self.expect_message(2, option, "points", "bear.off", option, "0")
         self.expect_message(2, "--max-triangles is '1.5', but must be a whole number", "points", "bear.off", "--max-triangles", "1.5")
         self.expect_message(3, "more than the 10 that are read", "points", "bear.off", "--max-triangles", "1e1")
+        self.write("labels.nii", volume_files.nifti())
+        self.expect_message(3, "24 x 16 x 12 voxels are more than the 10 that are read", "points", "labels.nii", "--max-voxels", "10")
+        self.write("cloud.xyz", cloud_files.xyz())
+        self.expect_message(3, "258 points are more than the 100 that are read", "points", "cloud.xyz", "--max-triangles", "100")
         self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
         self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
 
@@ -218,17 +223,28 @@ class Surroundings(Program):
         done = self.run_it("points", "bear.off", "--out", "locked", **user)
         self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied; choose one that you may write into\n"))
 
-    def test_whenever_it_is_killed_results_are_whole(self):
-        words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
-        whole = None
-        for milliseconds in (0, 5, 50, 100, 150, 200, 300, 400, 600, 800, 1200):
+    def test_killed_while_it_writes_it_leaves_every_result_whole(self):
+        """The old one or the new one; what a kill leaves beside them begins with a dot."""
+        wholes = {}
+        for name in ("bear.off", "bear_bis.off"):
+            self.assertEqual(self.run_it("points", name, "--out", name + ".out", *COARSE).returncode, 0)
+            wholes[name] = {file: self.read(name + ".out", file) for file in os.listdir(self.path(name + ".out"))}
+        os.rename(self.path("bear_bis.off.out"), self.path("out"))
+        killed = 0
+        for _ in range(20):
+            words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
             with subprocess.Popen(words, cwd=self.folder.name, stdout=subprocess.DEVNULL) as running:
-                threading.Timer(milliseconds / 1000, running.kill).start()
-            if running.returncode == 0:
+                while running.poll() is None and not any(name.endswith(".partial") for name in os.listdir(self.path("out"))):
+                    pass
+                running.kill()
+            killed += running.returncode == -signal.SIGKILL
+            results = [name for name in os.listdir(self.path("out")) if not name.startswith(".")]
+            self.assertEqual(sorted(results), sorted(wholes["bear.off"]))
+            for name in results:
+                self.assertIn(self.read("out", name), [whole[name] for whole in wholes.values()], name)
+            if killed == 3:
                 break
-            for name in (n for n in (os.listdir(self.path("out")) if os.path.isdir(self.path("out")) else []) if not n.endswith(".partial")):
-                whole = whole or self.whole_results()
-                self.assertEqual(self.read("out", name), whole[name], name)
+        self.assertGreater(killed, 0)
 
     def test_what_a_killed_one_leaves_the_next_one_removes(self):
         def limit_files():  # in the middle of writing the report the system kills it
@@ -240,10 +256,6 @@ class Surroundings(Program):
         self.assertTrue(left and all(name.startswith(".homolog.") and name.endswith(".partial") for name in left), left)
         self.assertEqual(self.run_it("points", "bear_bis.off", "--out", "out", *COARSE).returncode, 0)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["points.csv", "points.json", "points.mrk.json", "report.html"])
-
-    def whole_results(self):
-        self.assertEqual(self.run_it("points", "bear.off", "--out", "whole", *COARSE).returncode, 0)
-        return {name: self.read("whole", name) for name in os.listdir(self.path("whole"))}
 
     def test_processes_with_one_folder_leave_the_results_of_one(self):
         shapes = ("bear.off", "bear_bis.off")

@@ -6,14 +6,7 @@ from program import COARSE, Program, main
 
 
 class Overwrite(Program):
-    def setUp(self):
-        super().setUp()
-        done = self.run_it("match", "bear.off", "bear_bis.off", "--mirror", "forbid", "--out", "out", *COARSE)
-        self.assertEqual(done.returncode, 0, done.stderr)
-
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
+    begins_with = ("match", "bear.off", "bear_bis.off", "--mirror", "forbid", "--out", "out", *COARSE)
 
     def worn(self):
         """bear.off as an OBJ, with a material and its picture."""

@@ -2,6 +2,7 @@
 # The program under test in a folder of its own with shapes in it. In: the program, its version, the folder of the examples' programs.
 # Standard library only.
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -18,10 +19,21 @@ limits_memory = unittest.skipIf(is_under_address_sanitizer(PROGRAM), "limits of 
 
 
 class Program(unittest.TestCase):
+    begins_with = ()  # words of a command whose results every test of the class needs; run once
+
+    @classmethod
+    def setUpClass(cls):
+        beginning = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(beginning.cleanup)
+        cls.beginning = beginning.name
+        bear.write_all(cls.beginning)
+        if cls.begins_with:
+            subprocess.run([PROGRAM, *cls.begins_with], cwd=cls.beginning, check=True, stdout=subprocess.DEVNULL, timeout=300)
+
     def setUp(self):
         self.folder = tempfile.TemporaryDirectory()
         self.addCleanup(self.folder.cleanup)
-        bear.write_all(self.folder.name)
+        shutil.copytree(self.beginning, self.folder.name, dirs_exist_ok=True)
 
     def run_it(self, *words, program=PROGRAM, **how):
         how = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **how}
@@ -33,6 +45,10 @@ class Program(unittest.TestCase):
     def read(self, *names):
         with open(self.path(*names)) as file:
             return file.read()
+
+    def write(self, name, content):
+        with open(self.path(name), "wb" if isinstance(content, bytes) else "w") as file:
+            file.write(content)
 
     def expect_message(self, code, part, *words):
         """The exit code, one sentence on stderr that holds `part`, and nothing on stdout."""

@@ -50,10 +50,6 @@ class DamagedMatches(Program):
         self.assertEqual(done.returncode, 0, done.stderr)
         self.write("points.csv", "label,x,y,z\nhead,0,2.1,0.1\n")
 
-    def write(self, name, text):
-        with open(self.path(name), "w") as file:
-            file.write(text)
-
     def test_a_match_that_cannot_be(self):
         text, points = self.read("out", "match.json"), ("--points", "points.csv", "--out", "a.csv")
 

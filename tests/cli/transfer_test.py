@@ -13,12 +13,11 @@ from program import COARSE, Program, main
 class Transfer(Program):
     """Landmarks and a mesh carried by a match of the upper half of one bear with the other, which is 2.5 times as large."""
 
+    begins_with = ("match", "bear.off", "bear_bis.off", "--model-part", "y>0.5", "--mirror", "forbid", "--out", "out", *COARSE)
     HEAD, NECK, FOOT = (0, 2.1, 0.1), (0.3, 1.2, 0.4), (0.75, -2, 0.9)
 
     def setUp(self):
         super().setUp()
-        done = self.run_it("match", "bear.off", "bear_bis.off", "--model-part", "y>0.5", "--mirror", "forbid", "--out", "out", *COARSE)
-        self.assertEqual(done.returncode, 0, done.stderr)
         rows = [(f"p{i}", *x) for i, x in enumerate((self.HEAD, self.NECK, self.FOOT))] + [("gone", "", "", "")]
         with open(self.path("points.csv"), "w") as file:
             csv.writer(file).writerows([("label", "x", "y", "z"), *rows])

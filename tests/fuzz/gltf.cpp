@@ -4,6 +4,7 @@
 #include "fixtures/capsule.h"
 #include "fuzz/target.h"
 #include "homolog/outputs/attributes_gltf.h"
+#include "homolog/shape/read_gltf.h"
 #include "homolog/shape/read_gltf_attributes.h"
 
 namespace homolog::fuzz {
@@ -21,9 +22,14 @@ std::string seed(const char* name) {
   return attributes_gltf(mesh, name, "seed").front().contents;
 }
 
+constexpr std::size_t most_triangles = 10000;
+
+std::string found_beside(const std::string&) { return std::string(4096, '\1'); }
+
+Mesh read_mesh_alone(const std::string& bytes, const std::string& file) { return read_gltf(bytes, file, found_beside, most_triangles); }
+
 Mesh read_mesh_of_attributes(const std::string& bytes, const std::string& file) {
-  const AttributedMesh mesh = read_gltf_attributes(
-      bytes, file, [](const std::string&) { return std::string(4096, '\1'); }, 10000);
+  const AttributedMesh mesh = read_gltf_attributes(bytes, file, found_beside, most_triangles);
   const std::size_t vertices = mesh.mesh.vertices.size(), triangles = mesh.mesh.triangles.size();
   require(mesh.colours.empty() || mesh.colours.size() == vertices, "every vertex has a colour, or none");
   require(mesh.rig.joints.empty() || mesh.rig.influences.size() == vertices, "every vertex has influences, or none");
@@ -63,7 +69,10 @@ Target gltf() {
        R"("componentType":5120,"count":4,"type":"VEC3"},{"componentType":5126,"count":4,"type":"VEC3","sparse":{"count":1,"indices":)"
        R"({"bufferView":0,"componentType":5121},"values":{"bufferView":0}}}],"bufferViews":[{"buffer":0,"byteLength":48}],)"
        R"("buffers":[{"uri":"data:;base64,AAAAAQAAAAEBAQAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAAA","byteLength":48}]})"},
-      [](const std::string& bytes) { run_mesh_reader(read_mesh_of_attributes, bytes); }};
+      [](const std::string& bytes) {
+        run_mesh_reader(read_mesh_of_attributes, bytes);
+        run_mesh_reader(read_mesh_alone, bytes);
+      }};
 }
 
 }  // namespace homolog::fuzz

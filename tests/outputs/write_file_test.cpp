@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gmock/gmock.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -58,6 +59,21 @@ TEST_F(WriteFile, FollowsALinkWhichStaysOne) {
   fs::create_symlink("nowhere", folder / "loose");
   write_file(folder / "loose", "here");
   EXPECT_EQ(read("loose"), "here");
+}
+
+TEST_F(WriteFile, WritesStraightIntoADeviceOrAPipe) {
+  const fs::path pipe = folder / "pipe";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const int end = open(pipe.c_str(), O_RDWR | O_NONBLOCK);
+  write_file(pipe, "bytes");
+  char bytes[8] = {};
+  EXPECT_EQ(::read(end, bytes, sizeof bytes), 5);
+  EXPECT_STREQ(bytes, "bytes");
+  close(end);
+  EXPECT_TRUE(fs::is_fifo(pipe));
+  fs::create_symlink("/dev/full", folder / "full");
+  EXPECT_THROW(write_file(folder / "full", "bytes"), OutputError);
+  EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
 
 TEST_F(WriteFile, WritesSeveral) {

@@ -57,7 +57,15 @@ bool was_removed(int file) {
 }  // namespace
 
 PartialFile::PartialFile(const fs::path& path) : path_(followed(path)) {
-  if (std::error_code ignored; fs::is_directory(path_, ignored)) fail(path_, "a folder has this name");
+  std::error_code ignored;
+  const fs::file_status there = fs::status(path_, ignored);
+  if (fs::is_directory(there)) fail(path_, "a folder has this name");
+  if (fs::exists(there) && !fs::is_regular_file(there)) {
+    if (!fs::is_character_file(there) && !fs::is_fifo(there)) fail(path_, "it is no file; choose another name");
+    file_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
+    if (file_ < 0) fail(path_, reason_of(errno));
+    return;
+  }
   while (file_ < 0) {
     partial_ = partial_name(path_);
     file_ = open(partial_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
@@ -88,6 +96,7 @@ void PartialFile::complete() {
 }
 
 void PartialFile::rename() {
+  if (partial_.empty()) return;
   std::error_code error;
   fs::rename(partial_, path_, error);
   if (error) fail(path_, reason_of(error.value()));

@@ -9,7 +9,8 @@ namespace homolog {
 
 class PartialFile {
  public:
-  /// An empty one, which leaves what lies at `path` as it is. Throws OutputError.
+  /// An empty one, which leaves what lies at `path` as it is. A device or a pipe there is written into at once, since a file in its place
+  /// would take it from everybody. Throws OutputError.
   explicit PartialFile(const std::filesystem::path& path);
   /// Removes it, unless it has got its name.
   ~PartialFile();

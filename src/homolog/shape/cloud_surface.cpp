@@ -24,14 +24,14 @@
 namespace homolog {
 namespace {
 
-constexpr int most_voxels = 256;           // along the longest side; about as many as shapes are described with
-constexpr double voxels_a_root = 4;        // of the number of points, so that the share of a point is several voxels
-constexpr int margin = 2;                  // voxels
-constexpr int rounds = 2;                  // of smoothing
-constexpr int halvings = 4;                // of a voxel, which is how far a vertex may go
-constexpr double beside = 0.25;            // sides of a splat: where to look before and behind it
-constexpr double least_closed = 0.4;       // a half ball has .55, a flat sheet 0
-constexpr std::size_t least_splats = 100;  // of fewer the surface is a guess that depends on each of them
+constexpr int least_voxels = 64, most_voxels = 256;  // along the longest side; about as many as shapes are described with
+constexpr double voxels_a_root = 4;                  // of the number of points, so that the share of a point is several voxels
+constexpr int margin = 2;                            // voxels
+constexpr int rounds = 2;                            // of smoothing
+constexpr int halvings = 4;                          // of a voxel, which is how far a vertex may go
+constexpr double beside = 0.25;                      // sides of a splat: where to look before and behind it
+constexpr double least_closed = 0.4;                 // a half ball has .55, a flat sheet 0
+constexpr std::size_t least_splats = 100;            // of fewer the surface is a guess that depends on each of them
 constexpr std::size_t most_asked = 20000;
 constexpr double near = 2, near_sides = 3, far = 0.6;  // voxels, mean sides of a splat, and shares of the way to the last neighbour
 constexpr std::size_t neighbours = 24;
@@ -162,11 +162,11 @@ std::vector<std::uint8_t> near_points(const std::vector<Vec3>& vertices, const S
 
 }  // namespace
 
-Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels) {
+Mesh cloud_surface(PointCloud cloud, const std::string& file, std::optional<int> voxels) {
   const Box box = box_of(cloud.points);
   const Vec3 extent = box.max - box.min;
   const double wanted = voxels_a_root * std::sqrt(static_cast<double>(cloud.points.size()));
-  const int along = static_cast<int>(std::clamp<double>(wanted, least_voxels, most_voxels));
+  const int along = voxels.value_or(static_cast<int>(std::clamp<double>(wanted, least_voxels, most_voxels)));
   const double spacing = extent.maxCoeff() / along;
   if (!std::isfinite(spacing) || !(spacing > 0)) {
     throw FileError(fmt::format("{}: the points have no extent, or one too large for numbers; scale them", file));

@@ -3,6 +3,7 @@
 // it is need nothing of their own.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "homolog/shape/mesh.h"
@@ -12,7 +13,7 @@ namespace homolog {
 
 /// The surface around what the points wind around, open where no point is near. Normals that all face inward are turned. There must be a
 /// point. `file` is its name for messages. Throws FileError when the points enclose nothing, their normals disagree, or a few of them lie
-/// far from all others. Few points are seen in a grid of `least_voxels` along the longest side.
-Mesh cloud_surface(PointCloud cloud, const std::string& file, int least_voxels = 64);
+/// far from all others. `voxels` are those along the longest side; without, as many as the number of points is worth.
+Mesh cloud_surface(PointCloud cloud, const std::string& file, std::optional<int> voxels = {});
 
 }  // namespace homolog

@@ -5,13 +5,14 @@
 #include <fmt/format.h>
 
 #include <exception>
-#include <limits>
 #include <memory>
 
 #include "homolog/base/errors.h"
 
 namespace homolog {
 namespace {
+
+constexpr std::size_t most_at_once = std::size_t{1} << 20;  // bytes
 
 using Parser = std::unique_ptr<XML_ParserStruct, decltype(&XML_ParserFree)>;
 
@@ -66,15 +67,17 @@ std::string_view XmlElement::attribute(std::string_view key) const {
 }
 
 void read_xml(std::string_view text, const std::string& file, const XmlEvents& events) {
-  if (text.size() > static_cast<std::size_t>(std::numeric_limits<int>::max())) {
-    throw FileError(fmt::format("{}: more than 2 GiB of XML are not read; save it as binary PLY or STL", file));
-  }
   const Parser parser(XML_ParserCreate(nullptr), &XML_ParserFree);
   if (!parser) throw std::bad_alloc();
   Reading reading{events, parser.get()};
   XML_SetUserData(parser.get(), &reading);
   XML_SetElementHandler(parser.get(), begin, end);
-  const bool whole = XML_Parse(parser.get(), text.data(), static_cast<int>(text.size()), XML_TRUE) == XML_STATUS_OK;
+  bool whole = true;
+  do {  // piece by piece, for expat keeps a copy of what it is given at once
+    const std::string_view piece = text.substr(0, most_at_once);
+    text.remove_prefix(piece.size());
+    whole = XML_Parse(parser.get(), piece.data(), static_cast<int>(piece.size()), text.empty()) == XML_STATUS_OK;
+  } while (whole && !text.empty());
   if (reading.thrown) std::rethrow_exception(reading.thrown);
   if (!whole && reading.wants_more) {
     const std::string reason = XML_ErrorString(XML_GetErrorCode(parser.get()));
