@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <exception>
@@ -156,6 +157,7 @@ int main(int argc, char** argv) {
   using namespace homolog;
   using namespace homolog::cli;
   std::set_terminate(end_abruptly);
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of writing, told as such
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {

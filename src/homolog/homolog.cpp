@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/homolog.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <functional>
 
@@ -27,6 +29,7 @@
 namespace homolog {
 namespace {
 
+constexpr double least_extent = 1e-20, most_extent = 1e20;  // squares of lengths must be numbers in single precision, too
 constexpr int surface_samples = 1600;
 constexpr std::size_t body_samples = 400;
 constexpr std::size_t many_pieces = 3;       // so many share the samples, of which there are as many times more
@@ -110,6 +113,13 @@ Family match_described(const Shape& model, const Shape& data, const Params& para
   return family;
 }
 
+void check_extent(const Mesh& mesh) {
+  const Box box = bounding_box(mesh);
+  const double extent = (box.max - box.min).maxCoeff();
+  if (extent >= least_extent && extent <= most_extent) return;
+  throw ShapeError(fmt::format("the shape has no extent, or one too small or too large for numbers ({:.2g}); scale it", extent));
+}
+
 // Samples of the skin, and the body that joins them.
 void sample_skin(Shape& shape, int finer, const std::function<void()>& forget_cut, Stopwatch* watch) {
   shape.surface = sample_surface(shape.interior, finer * surface_samples);
@@ -159,6 +169,7 @@ Shape describe_upright(const Mesh& mesh, const Params& params, const std::option
 Shape describe_shape(const Mesh& mesh, const Params& params, const std::optional<Box>& part, Stopwatch* watch) {
   check(params);
   check_mesh(mesh);
+  check_extent(mesh);
   const ThreadLimit limit(params.threads);
   // A part is told by the file's axes; a whole is looked at along its own, so that it is the same however it was turned.
   const Mat3 axes = part ? Mat3(Mat3::Identity()) : principal_axes(mesh);

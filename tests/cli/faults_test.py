@@ -4,7 +4,6 @@ import fcntl
 import gzip
 import json
 import os
-import resource
 import shutil
 import signal
 import struct
@@ -101,19 +100,15 @@ class LyingFiles(Program):
     def test_scale_does_not_matter_from_tiny_to_huge(self):
         v, f = mesh_files.solid()
         counts = set()
-        for power in (-140, -60, 0, 60, 140):  # by powers of two nothing is rounded
+        for power in (-60, -20, 0, 20, 60):  # by powers of two nothing is rounded
             self.write("scaled.off", bear.off([tuple(c * 2.0**power for c in x) for x in v], f).encode())
             done = self.run_it("points", "scaled.off", "--json", *COARSE)
             self.assertEqual(done.returncode, 0, done.stderr)
             counts.add(len(json.loads(done.stdout)["shape"]["points"]))
         self.assertEqual(len(counts), 1, counts)
-        for power in (-300, 300):
+        for power in (-300, -160, -25, 25, 160, 300):
             self.write("scaled.off", bear.off([tuple(c * 10.0**power for c in x) for x in v], f).encode())
-            done = self.run_it("match", "scaled.off", "bear.off", "--json", *COARSE)
-            self.assertIn(done.returncode, (0, 1, 3))
-            self.assertRegex(done.stderr, r"\A(homolog: [^\n]+\n)*\Z")
-            self.assertNotIn("mistake of the program", done.stderr)
-            self.assertNotRegex(done.stdout, r"(?i)\b(nan|inf|null)\b")
+            self.expect_message(3, "too small or too large for numbers", "match", "scaled.off", "bear.off", "--json", *COARSE)
 
     def test_materials_are_not_opened(self):
         os.mkfifo(self.path("none.mtl"))  # whoever opens it waits for ever
@@ -223,6 +218,16 @@ class Surroundings(Program):
         done = self.run_it("points", "bear.off", "--out", "locked", **user)
         self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied; choose one that you may write into\n"))
 
+    def killed_while_it_writes(self, name):
+        """Whether it was, into `out`; it may have been quicker."""
+        words = [PROGRAM, "points", name, "--out", "out", *COARSE]
+        with subprocess.Popen(words, cwd=self.folder.name, stdout=subprocess.DEVNULL) as running:
+            before = set(os.listdir(self.path("out")))
+            while running.poll() is None and not any(file.endswith(".partial") for file in set(os.listdir(self.path("out"))) - before):
+                pass
+            running.kill()
+        return running.returncode == -signal.SIGKILL
+
     def test_killed_while_it_writes_it_leaves_every_result_whole(self):
         """The old one or the new one; what a kill leaves beside them begins with a dot."""
         wholes = {}
@@ -232,12 +237,7 @@ class Surroundings(Program):
         os.rename(self.path("bear_bis.off.out"), self.path("out"))
         killed = 0
         for _ in range(20):
-            words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
-            with subprocess.Popen(words, cwd=self.folder.name, stdout=subprocess.DEVNULL) as running:
-                while running.poll() is None and not any(name.endswith(".partial") for name in os.listdir(self.path("out"))):
-                    pass
-                running.kill()
-            killed += running.returncode == -signal.SIGKILL
+            killed += self.killed_while_it_writes("bear.off")
             results = [name for name in os.listdir(self.path("out")) if not name.startswith(".")]
             self.assertEqual(sorted(results), sorted(wholes["bear.off"]))
             for name in results:
@@ -247,12 +247,11 @@ class Surroundings(Program):
         self.assertGreater(killed, 0)
 
     def test_what_a_killed_one_leaves_the_next_one_removes(self):
-        def limit_files():  # in the middle of writing the report the system kills it
-            resource.setrlimit(resource.RLIMIT_FSIZE, (100000, 100000))
-
-        done = self.run_it("points", "bear.off", "--out", "out", *COARSE, preexec_fn=limit_files)
-        self.assertEqual(done.returncode, -signal.SIGXFSZ)
-        left = os.listdir(self.path("out"))
+        os.mkdir(self.path("out"))
+        left = []
+        while not left or not all(name.endswith(".partial") for name in left):  # killed before it wrote, or after
+            self.killed_while_it_writes("bear.off")
+            left = os.listdir(self.path("out"))
         self.assertTrue(left and all(name.startswith(".homolog.") and name.endswith(".partial") for name in left), left)
         self.assertEqual(self.run_it("points", "bear_bis.off", "--out", "out", *COARSE).returncode, 0)
         self.assertEqual(sorted(os.listdir(self.path("out"))), ["points.csv", "points.json", "points.mrk.json", "report.html"])

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <filesystem>
+#include <fstream>
+
 #include "homolog/outputs/landmarks.h"
 #include "outputs/match_fixture.h"
 #include "outputs/message_of.h"
@@ -59,7 +62,7 @@ TEST(ReadPointsCsv, TakesCapitalsAndSemicolons) {
 
 TEST(ReadPointsCsv, TakesTabsAndTheSeparatorThatTheFirstLineNames) {
   EXPECT_EQ(read_points_csv("label\tx\ty\tz\na, b\t1\t2\t3\n", "a.csv").at(0).label, "a, b");
-  EXPECT_EQ(read_points_csv("\xef\xbb\xbfsep=;\r\nx;y;z;label\r\n1;2;3;a, b\r\n", "a.csv").at(0).label, "a, b");
+  EXPECT_EQ(read_points_csv("sep=;\r\nx;y;z;label\r\n1;2;3;a, b\r\n", "a.csv").at(0).label, "a, b");
   EXPECT_EQ(read_points_csv("SEP=,\nx,y,z\n1,2,3\n", "a.csv").at(0).position, Vec3(1, 2, 3));
   EXPECT_THAT(csv_message("sep=,"), HasSubstr("the file ends before its header"));
 }
@@ -70,8 +73,7 @@ TEST(ReadPointsCsv, TakesNamesForLabelsWhereThereAreNone) {
 }
 
 TEST(ReadPointsCsv, TakesColumnsInAnyOrderQuotesAndMissingPoints) {
-  const auto points =
-      read_points_csv("\xef\xbb\xbfz,label,extra,y,x\r\n3,\"a, \"\"b\"\"\",?,2,1\r\n\r\n,nose,,,\nNA,ear,,NA,NA\n", "a.csv");
+  const auto points = read_points_csv("z,label,extra,y,x\r\n3,\"a, \"\"b\"\"\",?,2,1\r\n\r\n,nose,,,\nNA,ear,,NA,NA\n", "a.csv");
   ASSERT_EQ(points.size(), 3u);
   EXPECT_EQ(points[0].label, "a, \"b\"");
   EXPECT_EQ(points[0].position, Vec3(1, 2, 3));
@@ -97,6 +99,30 @@ TEST(ReadPointsCsv, TakesLabelsOfSeveralLines) {
   ASSERT_EQ(points.size(), 2u);
   EXPECT_EQ(points[0].label, "a, \"b\"\n\nc");
   EXPECT_EQ(points[1].label, "d");
+}
+
+// Notepad puts the mark of UTF-8 before everything; Excel calls UTF-16 Unicode text.
+TEST(ReadPoints, TakesTheMarkOfUtf8InEveryFormatAndNamesUtf16) {
+  const std::pair<std::string, std::string> files[] = {
+      {"a.csv", "x,y,z\n1,2,3\n"},
+      {"a.tps", "LM3=1\n1 2 3\nID=a\n"},
+      {"a.pts", "Version 1.0\n1\np0 1 2 3\n"},
+      {"a.txt", "[individuals]\n1\n[landmarks]\n1\n[dimensions]\n3\n[names]\na\n[rawpoints]\n'#1\n1 2 3\n"},
+      {"a.fcsv", "# CoordinateSystem = LPS\n# columns = id,x,y,z\n1,1,2,3\n"}};
+  for (const auto& [name, content] : files) {
+    const std::filesystem::path path = std::filesystem::path(testing::TempDir()) / ("read_points_test_" + name);
+    std::ofstream(path, std::ios::binary) << "\xef\xbb\xbf" << content;
+    const auto points = read_points(path);
+    ASSERT_EQ(points.size(), 1u) << name;
+    EXPECT_EQ(points[0].position, Vec3(1, 2, 3)) << name;
+    std::ofstream(path, std::ios::binary) << "\xff\xfex";
+    EXPECT_THAT(message_of([&] { read_points(path); }), HasSubstr("this is text in UTF-16; save it as UTF-8")) << name;
+    std::filesystem::remove(path);
+  }
+}
+
+TEST(ReadPointsCsv, AsksWhereAColumnComesTwice) {
+  EXPECT_THAT(csv_message("label,x,y,z,X\na,1,2,3,4\n"), HasSubstr("the header names the column x twice; leave one"));
 }
 
 TEST(ReadMarkups, ReadsBackWhatMarkupsWrite) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "fixtures/shapes.h"
+#include "shape/meshes.h"
 
 namespace homolog {
 namespace {
@@ -26,6 +27,20 @@ TEST(PrincipalAxes, TurnWithTheShapeWhateverItsSizeAndPlace) {
     Mesh other = hand;
     for (Vec3& v : other.vertices) v = move(v);
     EXPECT_TRUE(principal_axes(other).isApprox(move.rotation * axes, 1e-6)) << scale;
+  }
+}
+
+// Where any axes would do rounding must not choose them.
+TEST(PrincipalAxes, AreTheSameForACubeAPrismAndAPlateHoweverTheirNumbersAreRounded) {
+  for (const Vec3& sides : {Vec3(1, 1, 1), Vec3(1, 3, 1), Vec3(2, 0.5, 2)}) {
+    const Mesh box = meshes::box(Vec3::Zero(), sides);
+    const Mat3 axes = principal_axes(box);
+    for (int k = 0; k < 3; ++k) EXPECT_NEAR(axes.col(k).cwiseAbs().maxCoeff(), 1, 1e-9) << sides.transpose();
+    for (const double scale : {1.0, 25.4, 1 / 3.0}) {
+      Mesh other = box;
+      for (Vec3& v : other.vertices) v = scale * (v + Vec3(0.1, 0.2, 0.3));
+      EXPECT_TRUE(principal_axes(other).isApprox(axes, 1e-4)) << sides.transpose() << " times " << scale;
+    }
   }
 }
 

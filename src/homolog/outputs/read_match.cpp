@@ -169,6 +169,9 @@ Similarity read_similarity(const ordered_json& json, const std::string& file) {
   const Mat4 matrix = read_matrix(json.at("data_from_model"));
   similarity.rotation = matrix.topLeftCorner<3, 3>().unaryExpr([&](double x) { return factor_of(x, similarity.scale); });
   if (!similarity.rotation.allFinite()) fail(file, "a turn is not finite; the file is damaged");
+  if (!(similarity.rotation * similarity.rotation.transpose()).isIdentity(1e-6) || matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1)) {
+    fail(file, "a data_from_model is no similarity of that scale; the file is damaged");
+  }
   similarity.shift = matrix.topRightCorner<3, 1>();
   return similarity;
 }

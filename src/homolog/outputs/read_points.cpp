@@ -16,6 +16,7 @@
 #include "homolog/outputs/specimen.h"
 #include "homolog/outputs/tps.h"
 #include "homolog/outputs/utf8_text.h"
+#include "homolog/shape/foreign_file.h"
 #include "homolog/shape/text.h"
 
 namespace homolog {
@@ -43,7 +44,6 @@ char separator_of(Text& text, std::string_view& line) {
 }
 
 Columns read_header(Text& text, std::string_view line) {
-  if (line.starts_with("\xef\xbb\xbf")) line.remove_prefix(3);  // a byte order mark, as spreadsheets write it
   const char separator = separator_of(text, line);
   std::vector<std::string> names = csv_cells(text, line, separator);
   for (std::string& name : names) name = lower(name);
@@ -51,6 +51,9 @@ Columns read_header(Text& text, std::string_view line) {
   Columns columns{{find("x"), find("y"), find("z")}, {}, names.size(), separator};
   if (std::max({columns.position[0], columns.position[1], columns.position[2]}) == names.size()) {
     fail(text, "the header must name the columns x, y and z (and label or name), separated by commas, semicolons or tabs");
+  }
+  for (const char* name : {"x", "y", "z"}) {
+    if (std::count(names.begin(), names.end(), name) > 1) fail(text, fmt::format("the header names the column {} twice; leave one", name));
   }
   for (const char* name : {"name", "label"}) {
     if (find(name) < names.size()) columns.label = find(name);
@@ -76,7 +79,11 @@ Read reader_of(const std::string& extension) {
 
 /// With the line ends of Unix or Windows, as all readers expect them.
 std::string text_of(const std::filesystem::path& path) {
-  std::string text = utf8_text(read_file(path));
+  const std::string bytes = read_file(path);
+  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
+    throw FileError(fmt::format("{}: this is text in UTF-16; save it as UTF-8", path.string()));
+  }
+  std::string text = utf8_text(std::string(without_byte_order_mark(bytes)));
   if (text.find('\n') == text.npos) std::replace(text.begin(), text.end(), '\r', '\n');  // those of old Macs
   return text;
 }

@@ -67,9 +67,10 @@ class MadeFolders {
 
 void require_writable_folder(const fs::path& path) {
   std::error_code error;
-  fs::path there = fs::absolute(path);
-  while (!fs::exists(there, error) && !error && !fs::is_symlink(there)) there = there.parent_path();
-  const bool exists = there == fs::absolute(path);
+  const fs::path asked = fs::absolute(path, error);
+  fs::path there = asked;
+  while (!error && !fs::exists(there, error) && !error && !fs::is_symlink(there)) there = there.parent_path();
+  const bool exists = there == asked;
   if (!error && !fs::is_directory(there)) error = std::make_error_code(std::errc::not_a_directory);
   if (!error && access(there.c_str(), W_OK | X_OK) != 0) error = std::error_code(errno, std::generic_category());
   if (error && !exists) throw OutputError(fmt::format("cannot make the folder '{}': {}", path.string(), refusal(error)));

@@ -40,6 +40,39 @@ Mat3 second_moments(const Mesh& mesh, const Vec3& middle) {
   return moments;
 }
 
+constexpr double alike = 1e-5;  // shares of the largest moment
+
+// The unit vector across `axis` that is nearest to the first coordinate axis that is not along it.
+Vec3 across(const Vec3& axis) {
+  Eigen::Index least = 0;
+  for (Eigen::Index k = 1; k < 3; ++k) {
+    if (std::abs(axis[k]) < std::abs(axis[least]) - alike) least = k;
+  }
+  const Vec3 unit = Vec3::Unit(least);
+  return (unit - axis.dot(unit) * axis).normalized();
+}
+
+// To smaller coordinates, by the one that changes most.
+bool points_back(const Vec3& axis) {
+  Eigen::Index most = 0;
+  for (Eigen::Index k = 1; k < 3; ++k) {
+    if (std::abs(axis[k]) > std::abs(axis[most]) + alike) most = k;
+  }
+  return axis[most] < 0;
+}
+
+// Eigenvectors, the largest value first; of equal values any would do, so that one way is chosen.
+Mat3 axes_of(const Mat3& moments) {
+  const Eigen::SelfAdjointEigenSolver<Mat3> solver(moments);
+  const Vec3 values = solver.eigenvalues().reverse();
+  Mat3 axes = solver.eigenvectors().rowwise().reverse();
+  const bool first = values[0] - values[1] < alike * values[0], last = values[1] - values[2] < alike * values[0];
+  if (first && last) return Mat3::Identity();
+  if (first) axes.col(0) = across(axes.col(2));
+  if (last) axes.col(1) = across(axes.col(0));
+  return axes;
+}
+
 // Integrals of the cubes of the coordinates along the first two axes.
 std::array<double, 2> third_moments(const Mesh& mesh, const Vec3& middle, const Mat3& axes) {
   std::array<double, 2> moments{};
@@ -56,14 +89,16 @@ std::array<double, 2> third_moments(const Mesh& mesh, const Vec3& middle, const 
 
 Mat3 principal_axes(const Mesh& mesh) {
   if (mesh.triangles.empty()) return Mat3::Identity();
-  const Vec3 middle = centroid(mesh, bounding_box(mesh).min);
+  const Box box = bounding_box(mesh);
+  const Vec3 middle = centroid(mesh, box.min);
   const Mat3 moments = second_moments(mesh, middle);
   const double largest = moments.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest)) return Mat3::Identity();
-  Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(moments / largest).eigenvectors().rowwise().reverse();
+  Mat3 axes = axes_of(moments / largest);
   const std::array<double, 2> skew = third_moments(mesh, middle, axes);
+  const double even = alike * largest * (box.max - box.min).norm();
   for (int k = 0; k < 2; ++k) {
-    if (skew[k] < 0) axes.col(k) *= -1;
+    if (std::abs(skew[k]) > even ? skew[k] < 0 : points_back(axes.col(k))) axes.col(k) *= -1;
   }
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;

@@ -70,6 +70,7 @@ Mat4 world_of(const Text& text, const HeaderFields& fields) {
   auto matrix = axes.reshaped();
   take({"TransformMatrix", "Orientation", "Rotation"}, matrix, 9);
   take({"ElementSpacing", "ElementSize"}, spacing, 3);
+  if (!(spacing.minCoeff() > 0)) fail(text, "a spacing is not positive; save it with sides that are, and mirror it by TransformMatrix");
   take({"Offset", "Position", "Origin"}, origin, 3);
   Mat4 world = Mat4::Identity();
   world.topLeftCorner<3, 3>() = axes * spacing.asDiagonal();
