@@ -17,7 +17,7 @@ import mesh_files
 import volume_files
 from sanitizer import is_under_address_sanitizer
 
-MEMORY, SECONDS = 6 << 30, 10
+MEMORY, SECONDS = 1 << 30, 10
 LIES = [b"-1", b"0", b"1e300", b"-1e-300", b"nan", b"inf", b"4294967295", b"99999999999999999999", b"\xff\xff\xff\xff", b"\xff\xff\xff\x7f",
         b"\0\0\0\x80", b"\0", b"\n", b'"', b"../../x", b"\0\0\xc0\x7f", b"65536", b"[[[[", b"</"]  # fmt: skip
 

@@ -19,8 +19,8 @@ void run(const std::string& bytes) {
 
 Target points_csv() {
   return {"points_csv",
-          {"label,x,y,z\nnose,0,1.3,-9.8e-1\n\"a, \"\"b\"\"\",1,2,3\ngone,,NA,\n", "z , x,other, y\r\n3,1,,2\r\n\r\n",
-           "x,y,z\n1,2\n", "label\n", "x,y,z\n\"1,2,3\n"},
+          {"label,x,y,z\nnose,0,1.3,-9.8e-1\n\"a, \"\"b\"\"\",1,2,3\ngone,,NA,\n", "z , x,other, y\r\n3,1,,2\r\n\r\n", "x,y,z\n1,2\n",
+           "label\n", "x,y,z\n\"1,2,3\n"},
           run};
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Results appear whole or not at all: written under temporary names in the same folder, then renamed.
+// Every file appears whole or not at all: written under temporary names in the same folder, then renamed, one after the other.
 #pragma once
 
 #include <filesystem>

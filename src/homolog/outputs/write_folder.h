@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A folder of results, filled whole or not at all.
+// A folder of results: no file gets its name before all are written.
 #pragma once
 
 #include <filesystem>

@@ -52,15 +52,6 @@ Vec3 across(const Vec3& axis) {
   return (unit - axis.dot(unit) * axis).normalized();
 }
 
-// To smaller coordinates, by the one that changes most.
-bool points_back(const Vec3& axis) {
-  Eigen::Index most = 0;
-  for (Eigen::Index k = 1; k < 3; ++k) {
-    if (std::abs(axis[k]) > std::abs(axis[most]) + alike) most = k;
-  }
-  return axis[most] < 0;
-}
-
 // Eigenvectors, the largest value first; of equal values any would do, so that one way is chosen.
 Mat3 axes_of(const Mat3& moments) {
   const Eigen::SelfAdjointEigenSolver<Mat3> solver(moments);
@@ -89,16 +80,14 @@ std::array<double, 2> third_moments(const Mesh& mesh, const Vec3& middle, const 
 
 Mat3 principal_axes(const Mesh& mesh) {
   if (mesh.triangles.empty()) return Mat3::Identity();
-  const Box box = bounding_box(mesh);
-  const Vec3 middle = centroid(mesh, box.min);
+  const Vec3 middle = centroid(mesh, bounding_box(mesh).min);
   const Mat3 moments = second_moments(mesh, middle);
   const double largest = moments.cwiseAbs().maxCoeff();
   if (!(largest > 0) || !std::isfinite(largest)) return Mat3::Identity();
   Mat3 axes = axes_of(moments / largest);
   const std::array<double, 2> skew = third_moments(mesh, middle, axes);
-  const double even = alike * largest * (box.max - box.min).norm();
   for (int k = 0; k < 2; ++k) {
-    if (std::abs(skew[k]) > even ? skew[k] < 0 : points_back(axes.col(k))) axes.col(k) *= -1;
+    if (skew[k] < 0) axes.col(k) *= -1;
   }
   axes.col(2) = axes.col(0).cross(axes.col(1));
   return axes;

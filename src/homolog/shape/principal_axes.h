@@ -8,8 +8,9 @@ namespace homolog {
 
 /// Columns, a proper rotation: the principal axes of the surface (second moments of its area), longest first. The first two point
 /// to the side where the surface reaches farther (third moments). Where the moments are alike to a hundred-thousandth, as those of a cube
-/// or along the sides of a square prism, the axes are as near to the mesh's own as they can be, and where both sides reach as far they
-/// point to the larger coordinates, so that nothing is left to rounding. The identity for a mesh without area.
+/// or along the sides of a square prism, the axes are as near to the mesh's own as they can be, so that rounding does not choose them. It
+/// does choose the side where both reach as far; a grid in the middle of the shape does not see which. The identity for a mesh without
+/// area.
 Mat3 principal_axes(const Mesh& mesh);
 
 /// The mesh with rotation * v for every vertex v.
