@@ -251,6 +251,7 @@ def all_files():
         "solid.gltf": gltf(v, f),
         "solid.glb": glb(v, f),
         "quantised.glb": quantised_glb(v, f),
+        "rigged.glb": rigged_glb(v, f, neck=0.9),
         "solid.3mf": threemf(model_of_3mf(v, f)),
         "parts.3mf": parts_beside_3mf(v, f),
         "text.vtk": vtk_files.vtk(v, f, False),

@@ -158,6 +158,10 @@ def geometry(v, f):
     yield "every face twice.off", off(v, f + [t[::-1] for t in f]), POINTS
     yield "unused vertices.off", off([*v, (1e9, 1e9, 1e9)], f), POINTS
     yield "degenerate faces.off", off(v, [*f, (0, 0, 1), (2, 2, 2), (0, 1, 0)]), POINTS
+    yield "a hole.off", off(v, f[1:]), POINTS
+    yield "a fin.off", off([*v, tuple(1.05 * c for c in v[0])], [*f, (f[0][0], f[0][1], len(v))]), POINTS
+    inner = [tuple(0.2 * c for c in x) for x in v]
+    yield "a shell within.off", off(v + inner, f + [tuple(len(v) + i for i in t) for t in f]), POINTS
     yield "soup.off", off([v[i] for t in f for i in t], [(3 * i, 3 * i + 1, 3 * i + 2) for i in range(len(f))]), POINTS
     grid = [(i, j, 0) for i in range(9) for j in range(9)]
     corners = [(9 * i + j, 9 * i + j + 1, 9 * i + j + 10, 9 * i + j + 9) for i in range(8) for j in range(8)]
