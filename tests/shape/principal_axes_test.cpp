@@ -44,6 +44,19 @@ TEST(PrincipalAxes, AreTheSameForACubeAPrismAndAPlateHoweverTheirNumbersAreRound
   }
 }
 
+TEST(PrincipalAxes, AreARotationForAPrismAndAPlateHoweverTheyAreTurned) {
+  const std::pair<Vec3, int> solids[] = {{Vec3(1, 3, 1), 0}, {Vec3(2, 0.5, 2), 2}};  // sides, and which axis is along y
+  for (const auto& [sides, along] : solids) {
+    for (const int seed : {1, 2, 3}) {
+      const Mat3 turn = random_rotation(seed);
+      const Mat3 axes = principal_axes(turned(meshes::box(Vec3::Zero(), sides), turn));
+      EXPECT_TRUE((axes.transpose() * axes).isIdentity(1e-9)) << seed;
+      EXPECT_NEAR(axes.determinant(), 1, 1e-9) << seed;
+      EXPECT_NEAR(std::abs(axes.col(along).dot(turn.col(1))), 1, 1e-9) << seed;
+    }
+  }
+}
+
 TEST(PrincipalAxes, OfNothingAreThoseOfTheWorld) {
   EXPECT_EQ(principal_axes({}), Mat3::Identity());
   EXPECT_EQ(principal_axes({{Vec3::Zero(), Vec3::UnitX(), 2 * Vec3::UnitX()}, {{0, 1, 2}}}), Mat3::Identity());

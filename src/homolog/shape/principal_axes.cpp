@@ -59,7 +59,10 @@ Mat3 axes_of(const Mat3& moments) {
   Mat3 axes = solver.eigenvectors().rowwise().reverse();
   const bool first = values[0] - values[1] < alike * values[0], last = values[1] - values[2] < alike * values[0];
   if (first && last) return Mat3::Identity();
-  if (first) axes.col(0) = across(axes.col(2));
+  if (first) {
+    axes.col(0) = across(axes.col(2));
+    axes.col(1) = axes.col(2).cross(axes.col(0));
+  }
   if (last) axes.col(1) = across(axes.col(0));
   return axes;
 }
