@@ -249,7 +249,7 @@ class Surroundings(Program):
     def test_what_a_killed_one_leaves_the_next_one_removes(self):
         os.mkdir(self.path("out"))
         left = []
-        while not left or not all(name.endswith(".partial") for name in left):  # killed before it wrote, or after
+        while not any(name.endswith(".partial") for name in left):  # killed before it wrote, or after
             self.killed_while_it_writes("bear.off")
             left = os.listdir(self.path("out"))
         self.assertTrue(left and all(name.startswith(".homolog.") and name.endswith(".partial") for name in left), left)
