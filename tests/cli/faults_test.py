@@ -218,9 +218,9 @@ class Surroundings(Program):
         done = self.run_it("points", "bear.off", "--out", "locked", **user)
         self.assertEqual((done.returncode, done.stderr), (4, "homolog: cannot write into the folder 'locked': Permission denied; choose one that you may write into\n"))
 
-    def killed_while_it_writes(self, name):
+    def killed_while_it_writes(self):
         """Whether it was, into `out`; it may have been quicker."""
-        words = [PROGRAM, "points", name, "--out", "out", *COARSE]
+        words = [PROGRAM, "points", "bear.off", "--out", "out", *COARSE]
         with subprocess.Popen(words, cwd=self.folder.name, stdout=subprocess.DEVNULL) as running:
             before = set(os.listdir(self.path("out")))
             while running.poll() is None and not any(file.endswith(".partial") for file in set(os.listdir(self.path("out"))) - before):
@@ -237,7 +237,7 @@ class Surroundings(Program):
         os.rename(self.path("bear_bis.off.out"), self.path("out"))
         killed = 0
         for _ in range(20):
-            killed += self.killed_while_it_writes("bear.off")
+            killed += self.killed_while_it_writes()
             results = [name for name in os.listdir(self.path("out")) if not name.startswith(".")]
             self.assertEqual(sorted(results), sorted(wholes["bear.off"]))
             for name in results:
@@ -247,10 +247,11 @@ class Surroundings(Program):
         self.assertGreater(killed, 0)
 
     def test_what_a_killed_one_leaves_the_next_one_removes(self):
-        os.mkdir(self.path("out"))
         left = []
-        while not any(name.endswith(".partial") for name in left):  # killed before it wrote, or after
-            self.killed_while_it_writes("bear.off")
+        while not left or not all(name.endswith(".partial") for name in left):  # killed before it wrote, or after
+            shutil.rmtree(self.path("out"), ignore_errors=True)
+            os.mkdir(self.path("out"))
+            self.killed_while_it_writes()
             left = os.listdir(self.path("out"))
         self.assertTrue(left and all(name.startswith(".homolog.") and name.endswith(".partial") for name in left), left)
         self.assertEqual(self.run_it("points", "bear_bis.off", "--out", "out", *COARSE).returncode, 0)

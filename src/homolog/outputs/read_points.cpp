@@ -80,9 +80,7 @@ Read reader_of(const std::string& extension) {
 /// With the line ends of Unix or Windows, as all readers expect them.
 std::string text_of(const std::filesystem::path& path) {
   const std::string bytes = read_file(path);
-  if (bytes.starts_with("\xff\xfe") || bytes.starts_with("\xfe\xff")) {
-    throw FileError(fmt::format("{}: this is text in UTF-16; save it as UTF-8", path.string()));
-  }
+  refuse_utf16(bytes, path.string());
   std::string text = utf8_text(std::string(without_byte_order_mark(bytes)));
   if (text.find('\n') == text.npos) std::replace(text.begin(), text.end(), '\r', '\n');  // those of old Macs
   return text;

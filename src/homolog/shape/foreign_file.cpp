@@ -34,8 +34,6 @@ constexpr Kind kinds[] = {
     {"Rar!"sv, "a RAR archive; unpack it first"},
     {"(\xb5/\xfd"sv, "compressed by zstd, as Blender may save its files; unpack it, or export the mesh as PLY or glTF"},
     {"\xff\xfe\xff\x0eS\0k\0e\0t\0c\0h\0U\0p"sv, "a SketchUp file; export the mesh from there as COLLADA or STL"},
-    {"\xff\xfe"sv, "text in UTF-16; save it as UTF-8"},
-    {"\xfe\xff"sv, "text in UTF-16; save it as UTF-8"},
     {"ISO-10303-21"sv, "a STEP file of a CAD program; export its surface from there as STL or 3MF"},
     {"BLENDER"sv, "a Blender file; export the mesh from Blender as PLY or glTF"},
     {"PXR-USDC"sv, "a USD file; export the mesh as glTF or PLY, from Blender, say"},
@@ -86,6 +84,10 @@ std::string_view without_byte_order_mark(std::string_view content) {
   return content;
 }
 
+void refuse_utf16(std::string_view start, const std::string& file) {
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff")) refuse(file, "text in UTF-16; save it as UTF-8");
+}
+
 void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file) {
   start = without_byte_order_mark(start.substr(0, telling_bytes));
   for (const Kind& kind : endings) {
@@ -94,6 +96,7 @@ void refuse_foreign(std::string_view start, const std::string& extension, const 
   for (const Kind& kind : kinds) {
     if (start.starts_with(kind.begin)) refuse(file, kind.what);
   }
+  refuse_utf16(start, file);
   refuse_markup(start, file);
   refuse_zip(start, extension, file);
   if (is_iges(start)) refuse(file, "an IGES file of a CAD program; export its surface from there as STL or 3MF");

@@ -13,6 +13,9 @@ inline constexpr std::size_t telling_bytes = 4096;  ///< of a file, at most, tel
 /// another program; some of these are known by `extension` (".usdz", say).
 void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file);
 
+/// Throws FileError when `start` begins as text in UTF-16 does.
+void refuse_utf16(std::string_view start, const std::string& file);
+
 /// Without the mark that some editors put before UTF-8.
 std::string_view without_byte_order_mark(std::string_view content);
 
