@@ -2,26 +2,15 @@
 #include "input_limits.h"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-
-#include <algorithm>
 
 #include "homolog/base/errors.h"
+#include "memory_limit.h"
 #include "whole_number.h"
 
 namespace homolog::cli {
 namespace {
 
 constexpr std::int64_t kMost = 1'000'000'000'000, kMostMebibytes = 1 << 30;
-
-/// From here on, asking for more memory fails and becomes a message. The system counts what can be written to, not what is reserved.
-void limit_memory(std::uint64_t mebibytes) {
-  if (mebibytes == 0) return;
-  rlimit limit{};
-  getrlimit(RLIMIT_DATA, &limit);
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, mebibytes << 20);
-  setrlimit(RLIMIT_DATA, &limit);
-}
 
 template <class Value>
 void add_limit(CLI::App& verb, const char* name, Value& value, const char* what) {
@@ -38,7 +27,9 @@ void add_reading_limits(CLI::App& verb, ReadLimits& limits) {
   const auto limit = [](const std::string& text) {
     limit_memory(static_cast<std::uint64_t>(whole_number("--max-memory", text, 0, kMostMebibytes)));
   };
-  verb.add_option_function<std::string>("--max-memory", limit, "Take no more MiB of memory; default 0, all there is.")
+  verb.add_option_function<std::string>(
+          "--max-memory", limit,
+          "Take no more MiB of memory, 0 for no limit; default what the machine has free, or its container may have.")
       ->group("Limits")
       ->type_name("MIB");
 }

@@ -12,6 +12,7 @@
 #include "console.h"
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
+#include "memory_limit.h"
 #include "suggestion.h"
 #include "verbs.h"
 
@@ -158,6 +159,7 @@ int main(int argc, char** argv) {
   using namespace homolog::cli;
   std::set_terminate(end_abruptly);
   std::signal(SIGXFSZ, SIG_IGN);  // a file that grows too large is an error of writing, told as such
+  limit_memory_to_free();
   try {
     return run(argc, argv);
   } catch (const UsageError& error) {

@@ -37,8 +37,8 @@ configure_and_build() { cmake --preset "$1" -DHOMOLOG_TESTS=ON -DHOMOLOG_BENCH=O
 sanitized_tests() {
   configure_and_build dev --target unit_tests && ASAN_OPTIONS=detect_stack_use_after_return=1 ctest --preset dev -R '^unit'
 }
-# Without the tests of limits of memory, which leave themselves out, those that take long for one answer (odd, repeatability), and those of
-# other programs (report, install, package).
+# Without the tests of limits of memory (memory; those in others leave themselves out), those that take long for one answer (odd,
+# repeatability), and those of other programs (report, install, package).
 # shellcheck disable=SC2317
 sanitized_program() {
   configure_and_build dev --target homolog_cli example_01_match example_02_stages example_03_match_stages &&

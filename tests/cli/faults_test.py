@@ -150,35 +150,6 @@ class Limits(Program):
         self.expect_message(2, "'matches' is '101', but must be", "match", "bear.off", "bear.off", "--matches", "101")
         self.expect_message(2, "'resolution' is '1025', but must be", "points", "bear.off", "--resolution", "1025")
 
-    @limits_memory
-    def test_memory_that_ends_while_lists_are_destroyed(self):
-        with open(self.path("lists.gltf"), "w") as file:
-            file.write('{"asset":{"version":"2.0"},"x":[' + "[]," * 2_000_000 + "0]}")
-        self.expect_message(3, "not enough memory", "points", "lists.gltf", "--max-memory", "100")
-
-    @limits_memory
-    def test_too_little_memory_is_refused(self):
-        self.expect_message(3, "bear.off: not enough memory to describe it; a lower --resolution needs less", "points", "bear.off", "--resolution", "1000",
-                            "--max-memory", "200")  # fmt: skip
-
-    @limits_memory
-    def test_wherever_memory_ends_there_is_one_sentence(self):
-        with open(self.path("bear.dae"), "wb") as file:
-            file.write(mesh_files.collada(*mesh_files.solid()))
-        for threads in ("1", "2"):
-            for name in ("bear.off", "bear.dae"):
-                for mebibytes in range(12, 48, 2):
-                    done = self.run_it("points", name, "--resolution", "128", "--threads", threads, "--max-memory", str(mebibytes))
-                    if done.returncode == 0:
-                        break
-                    self.assertEqual(done.returncode, 3, (threads, mebibytes, done.stderr))
-                    self.assertRegex(done.stderr, r"\Ahomolog: [^\n]*not enough memory[^\n]*\n\Z")
-
-    @limits_memory
-    def test_enough_is_enough(self):
-        words = ("--max-bytes", "10000000", "--max-triangles", "100000", "--max-points", "1000", "--max-memory", "2000")
-        self.assertEqual(self.run_it("points", "bear.off", *COARSE, *words).stdout, self.run_it("points", "bear.off", *COARSE).stdout)
-
 
 class Surroundings(Program):
     @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
@@ -189,16 +160,9 @@ class Surroundings(Program):
                 self.assertEqual(done.returncode, code, words)
 
     def on_a_disk_of(self, kilobytes, script):
-        """Runs a shell in which small/ is a file system of that size: no root is needed, only namespaces."""
-        with open(self.path("script"), "w") as file:
-            file.write(f"mount -t tmpfs -o size={kilobytes}k none small || exit 99\n{script}\n")
+        """Runs a shell in which small/ is a file system of that size."""
         os.makedirs(self.path("small"))
-        words = ["unshare", "--user", "--map-root-user", "--mount", "sh", "script"]
-        done = subprocess.run(words, cwd=self.folder.name, capture_output=True, text=True, timeout=300)
-        if done.returncode == 99 or "unshare" in done.stderr:
-            print(f"SKIPPED, a full disk was not tried: no user may mount one here: {done.stderr}", file=sys.stderr)
-            self.skipTest("no user may mount a file system here")
-        return done
+        return self.in_own_mounts([f"mount -t tmpfs -o size={kilobytes}k none small"], script)
 
     def test_full_disk(self):
         command = f"'{PROGRAM}' points bear.off --out small/out {' '.join(COARSE)}"

@@ -16,13 +16,13 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <fstream>
 #include <new>
 #include <system_error>
 #include <type_traits>
 #include <vector>
 
 #include "homolog/base/errors.h"
+#include "homolog/base/own_memory.h"
 
 namespace homolog {
 namespace {
@@ -53,14 +53,6 @@ void send_items(int pipe, const Items& items) {
   const std::uint64_t count = items.size();
   send(pipe, &count, sizeof count);
   send(pipe, items.data(), count * sizeof items[0]);
-}
-
-/// Memory that this process can write to, shared with nobody; 0 where the system does not tell.
-std::uint64_t data_bytes() {
-  std::ifstream statm("/proc/self/statm");
-  std::uint64_t pages = 0;
-  for (int field = 0; field < 6; ++field) statm >> pages;
-  return statm ? pages * static_cast<std::uint64_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
 void lower_limit(int resource, std::uint64_t most) {
