@@ -259,6 +259,7 @@ def all_files():
         "text.vtp": vtk_files.vtp(v, f, "ascii"),
         "base64.vtp": vtk_files.vtp(v, f, "binary"),
         "compressed.vtp": vtk_files.vtp(v, f, "appended"),
+        "grid.vtu": vtk_files.vtu(v, f),
         "solid.ac": ac3d(v, f),
         "solid.dae": collada(v, f),
         "text.fbx": fbx_files.fbx_text(v, f),

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Damaged mesh files through the whole program: every format of mesh_files.py, changed at random but the same for the same seed. A run must
-# end with 0, 1 or 3, say no more than sentences, and stay within limits of memory and processor time. What breaks that is kept.
+# Damaged files through the whole program: shapes of every format of mesh_files.py, landmarks, and a match that was found before, changed at
+# random but the same for the same seed. A run must end with 0, 1 or 3, say no more than sentences, and stay within limits of memory and processor time. What breaks that is kept.
 #   python3 tests/cli/mutate.py build/release/cli/homolog [--files N] [--seed S] [--only NAME] [--keep FOLDER]
 # Standard library only.
 import argparse
@@ -14,6 +14,7 @@ import sys
 import tempfile
 
 import mesh_files
+import stored_files
 import volume_files
 from sanitizer import is_under_address_sanitizer
 
@@ -54,9 +55,21 @@ def damaged_inside(name, content, dice):
     return damaged(content, dice)
 
 
-def complaint(program, path, memory, seconds):
-    """What is wrong with how the program took the file; empty if nothing."""
-    words = [program, "points", path, "--resolution", "32", "--threads", "1"]
+def commands(name):
+    """What is run on a file, by turns; the rest lies beside it, sound."""
+    transfer = ("--out", "carried.csv", "--threads", "1")
+    if name.startswith("landmarks."):
+        return [("transfer", "match.json", "--points", name, *transfer)]
+    meshes = ("match.json", "--model", "solid.off", "--data", "solid.off", "--threads", "1", "--out")
+    if name in ("match.json", "parts.json"):
+        return [("transfer", "match.json", "--points", "landmarks.csv", *transfer), ("dense", *meshes, "dense"), ("morph", *meshes, "morph.glb")]
+    points = ("points", name, "--resolution", "32", "--threads", "1")
+    worn = ("transfer", "match.json", "--attributes", name, "--onto", "solid.off", "--out", "worn.glb", "--threads", "1")
+    return [points, worn] if name == "rigged.glb" else [points]
+
+
+def complaint(words, folder, memory, seconds):
+    """What is wrong with how the program took the file, empty if nothing; and how it ended."""
 
     def limit():
         resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
@@ -64,7 +77,7 @@ def complaint(program, path, memory, seconds):
         os.nice(5)
 
     try:
-        done = subprocess.run(words, capture_output=True, preexec_fn=limit, timeout=60 * seconds)
+        done = subprocess.run(words, cwd=folder, capture_output=True, preexec_fn=limit, timeout=60 * seconds)
     except subprocess.TimeoutExpired:
         return "hangs", None
     said = done.stderr.decode(errors="replace")
@@ -72,49 +85,67 @@ def complaint(program, path, memory, seconds):
         return f"ends with {done.returncode}", done.returncode
     if not all(re.fullmatch(r"homolog: [^\x00-\x1f\x7f]+", line) for line in said.splitlines()) or "mistake of the program" in said:
         return f"says {said[:200]!r}", done.returncode
-    kind = re.sub(r"^homolog: [^:]*?: ", "", said.splitlines()[-1])[:40] if said else ""
-    return "", "crash, fenced" if "crashed" in kind or "crashed" in said else "limit, fenced" if "takes more than" in said else done.returncode
+    return "", "fenced" if "crashed" in said or "takes more than" in said else done.returncode
+
+
+def write(folder, name, content):
+    with open(os.path.join(folder, name), "wb") as file:
+        file.write(content)
+
+
+def sound_files(program, folder):
+    """Contents by name, all of them in the folder, with the match of one of them with itself."""
+    files = mesh_files.all_files() | stored_files.landmark_files()
+    for name, content in (volume_files.beside() | files).items():
+        write(folder, name, content)
+    subprocess.run([program, "match", "solid.off", "solid.off", "--resolution", "48", "--out", "."], cwd=folder, check=True, capture_output=True)
+    for name in ("match.json", "parts.json"):
+        with open(os.path.join(folder, name), "rb") as file:
+            files[name] = file.read()
+    return files
+
+
+def try_file(program, folder, name, content, options, limits):
+    """How the runs ended, by number, and how many are broken."""
+    dice, ends, broken = random.Random(f"{options.seed} {name}"), collections.Counter(), 0
+    words = commands(name)
+    for number in range(len(words) - 1 + options.files):
+        is_sound = number < len(words)  # once with each command
+        changed = content if is_sound else damaged_inside(name, content, dice)
+        write(folder, name, changed)
+        wrong, end = complaint([program, *words[number % len(words)]], folder, *limits)
+        ends[end] += 1
+        if is_sound and end != 0:
+            wrong = wrong or "is not read although it is not damaged"
+        if wrong:
+            broken += 1
+            print(f"{name}, seed {options.seed}, file {number}: {wrong}", flush=True)
+            if options.keep:
+                os.makedirs(options.keep, exist_ok=True)
+                write(options.keep, f"{options.seed}-{number}-{name}", changed)
+    write(folder, name, content)
+    return ends, broken
 
 
 def main():
-    parser = argparse.ArgumentParser(description="Damaged mesh files through the whole program.")
+    parser = argparse.ArgumentParser(description="Damaged files through the whole program.")
     parser.add_argument("program")
     parser.add_argument("--files", type=int, default=200, help="per format")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--only", help="one file of mesh_files.py")
+    parser.add_argument("--only", help="one of the files")
     parser.add_argument("--keep", default=None, help="folder for the files that break something")
     options = parser.parse_args()
-    slow = is_under_address_sanitizer(options.program)
+    program = os.path.abspath(options.program)
+    slow = is_under_address_sanitizer(program)
     limits = (resource.RLIM_INFINITY, 5 * SECONDS) if slow else (MEMORY, SECONDS)
     broken = 0
-    print(f"{'file':12} {'runs':>6} {'read':>6} {'refused':>8} {'fenced':>7} {'broken':>7}")
+    print(f"{'file':18} {'runs':>6} {'read':>6} {'refused':>8} {'fenced':>7} {'broken':>7}")
     with tempfile.TemporaryDirectory() as folder:
-        for name, content in volume_files.beside().items():
-            with open(os.path.join(folder, name), "wb") as file:
-                file.write(content)
-        for name, content in mesh_files.all_files().items():
-            if options.only not in (None, name):
-                continue
-            dice, ends, bad = random.Random(f"{options.seed} {name}"), collections.Counter(), 0
-            for number in range(options.files):
-                path = os.path.join(folder, name)
-                changed = damaged_inside(name, content, dice) if number else content
-                with open(path, "wb") as file:
-                    file.write(changed)
-                wrong, end = complaint(os.path.abspath(options.program), path, *limits)
-                ends[end] += 1
-                if not number and end != 0:
-                    wrong = wrong or "is not read although it is not damaged"
-                if wrong:
-                    bad += 1
-                    print(f"{name}, seed {options.seed}, file {number}: {wrong}", flush=True)
-                    if options.keep:
-                        os.makedirs(options.keep, exist_ok=True)
-                        with open(os.path.join(options.keep, f"{options.seed}-{number}-{name}"), "wb") as file:
-                            file.write(changed)
-            fenced = ends["crash, fenced"] + ends["limit, fenced"]
-            print(f"{name:12} {options.files:6} {ends[0] + ends[1]:6} {ends[3]:8} {fenced:7} {bad:7}", flush=True)
-            broken += bad
+        for name, content in sound_files(program, folder).items():
+            if options.only in (None, name):
+                ends, bad = try_file(program, folder, name, content, options, limits)
+                print(f"{name:18} {sum(ends.values()):6} {ends[0] + ends[1]:6} {ends[3]:8} {ends['fenced']:7} {bad:7}", flush=True)
+                broken += bad
     return 1 if broken else 0
 
 

@@ -41,3 +41,16 @@ def vtp(v, f, form):
         f'<Piece NumberOfPoints="{len(v)}" NumberOfPolys="{len(f)}">\n<Points>{arrays[0]}</Points>\n<Polys>{arrays[1]}{arrays[2]}</Polys></Piece></PolyData>'
     ).encode()
     return text + (b'<AppendedData encoding="raw">_' + appended + b"</AppendedData>" if appended else b"") + b"</VTKFile>\n"
+
+
+def vtu(v, f):
+    """An unstructured grid of triangles, as VTK's XML in text."""
+    def array(name, kind, numbers):
+        return f'<DataArray type="{kind}" Name="{name}" NumberOfComponents="{3 if name == "Points" else 1}" format="ascii">{" ".join(map(repr, numbers))}</DataArray>'
+
+    cells = array("connectivity", "Int64", [i for t in f for i in t]) + array("offsets", "Int64", [3 * i + 3 for i in range(len(f))])
+    return (
+        f'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="1.0" byte_order="LittleEndian">\n<UnstructuredGrid>'
+        f'<Piece NumberOfPoints="{len(v)}" NumberOfCells="{len(f)}">\n<Points>{array("Points", "Float64", [c for x in v for c in x])}</Points>\n'
+        f'<Cells>{cells}{array("types", "UInt8", [5] * len(f))}</Cells></Piece></UnstructuredGrid></VTKFile>\n'
+    ).encode()
