@@ -17,6 +17,9 @@ import subprocess
 import sys
 import tempfile
 
+import large_scenes
+from large_scenes import triples
+
 HORNS = [((1, 0.1, 0.2), 0.9), ((-0.8, 0.5, 0.1), 0.7), ((0.1, 1, -0.3), 1.1), ((0.2, -0.9, 0.4), 0.8), ((-0.1, 0.3, 1), 0.6),
          ((0.4, -0.3, -1), 1.0), ((-0.7, -0.6, -0.4), 0.5)]  # fmt: skip
 SHARPNESS = 12
@@ -62,10 +65,6 @@ def shape(triangles):
             a, b = 1 + i * columns + j, 1 + i * columns + (j + 1) % columns
             corners.extend((a, a + columns, b, b, a + columns, b + columns))
     return vertices, corners
-
-
-def triples(numbers):
-    return zip(numbers[::3], numbers[1::3], numbers[2::3])
 
 
 def ply_header(**counts):
@@ -136,7 +135,9 @@ def cost(words):
 
 
 def main():
-    meshes = {"mesh.ply": write_ply, "mesh.stl": write_stl, "text.stl": write_text_stl, "mesh.obj": write_obj, "mesh.off": write_off}
+    meshes = {"mesh.ply": write_ply, "mesh.stl": write_stl, "text.stl": write_text_stl, "mesh.obj": write_obj, "mesh.off": write_off,
+              "mesh.glb": large_scenes.write_glb, "mesh.3mf": large_scenes.write_3mf, "mesh.vtk": large_scenes.write_vtk,
+              "mesh.vtp": large_scenes.write_vtp, "mesh.dae": large_scenes.write_collada, "mesh.ac": large_scenes.write_ac3d}  # fmt: skip
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("names", nargs="*")
