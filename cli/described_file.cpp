@@ -19,9 +19,9 @@ void warn_if_open(const Shape& shape, Console& console) {
                            100 * shape.open, shape.components, shape.components == 1 ? "" : "s", 100 * shape.guessed));
 }
 
-Mesh read_shape(const std::string& path, const Limits& limits, const Label& label) {
+Mesh read_shape(const std::string& path, const Limits& limits, const Label& label, const Tell& tell) {
   try {
-    return read_mesh(path, limits.file, label);
+    return read_mesh(path, limits.file, label, tell);
   } catch (const std::bad_alloc&) {
     throw FileError(fmt::format("{}: not enough memory to read it; simplify or crop it, or allow more by --max-memory", path));
   }
@@ -33,7 +33,8 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
                             Console& console, const Label& label) {
   const std::string name = std::filesystem::path(path).filename().string();
   console.stage(fmt::format("reading {}", name));
-  DescribedFile file{read_shape(path, limits, label), {}};
+  const Tell warn = [&](const std::string& sentence) { console.warn(fmt::format("{}: {}", name, sentence)); };
+  DescribedFile file{read_shape(path, limits, label, warn), {}};
   console.watch().lap(fmt::format("reading {}", name), file.mesh.triangles.size(), "triangles");
   console.stage(fmt::format("describing {}", name));
   try {

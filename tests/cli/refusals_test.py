@@ -2,7 +2,9 @@
 # What the program refuses, and that its sentences hold nothing but words.
 import json
 import os
+import re
 
+import mesh_files
 from program import COARSE, Program, main
 
 
@@ -40,6 +42,18 @@ class Words(Program):
         self.assertIn("homolog: warning: a?[31m.off", done.stderr)
         self.assertNotIn("\x1b", done.stdout + done.stderr)
         self.expect_message(3, "the name of a file is empty; name the file to read", "points", "")
+
+
+class Omissions(Program):
+    def test_what_is_left_out_is_told(self):
+        v, f = mesh_files.solid()
+        self.write("solid.obj", mesh_files.obj(v, f) + b"cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nend\n")
+        self.write("solid.ac", mesh_files.ac3d(v, f).replace(b'name "solid"', b'name "solid"\nhidden'))
+        for name, sentence in (("solid.obj", "1 free-form surface (surf) is left out"), ("solid.ac", "1 hidden object is read like the others")):
+            done = self.run_it("points", name, *COARSE)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertRegex(done.stderr, rf"\Ahomolog: warning: {name}: {re.escape(sentence)}; [^\n]+\n\Z")
+            self.assertEqual(self.run_it("points", name, "--quiet", *COARSE).stderr, "")
 
 
 class DamagedMatches(Program):

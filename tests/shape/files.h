@@ -24,6 +24,13 @@ class FileTest : public testing::Test {
   }
   Mesh read(const std::string& name, const std::string& content) const { return read_mesh(write(name, content)); }
 
+  /// What is said while it is read, in lines.
+  std::string told(const std::string& name, const std::string& content) const {
+    std::string lines;
+    read_mesh(write(name, content), {}, {}, [&](const std::string& sentence) { lines += sentence + "\n"; });
+    return lines;
+  }
+
   /// Expects a FileError that names the file and says `what`.
   void expect_error(const std::string& name, const std::string& content, const std::string& what) const {
     try {

@@ -65,6 +65,27 @@ TEST_F(Read3mf, RefusesExtensionsThatItDoesNotKnow) {
   expect_error("a.3mf", zip::threemf(with(zip::model(), "<model", "<model requiredextensions=\"z\"")), "it needs the extension 'z'");
 }
 
+TEST_F(Read3mf, TellsThatBeamsAreLeftOut) {
+  const std::string beams = R"(</triangles><b:beamlattice xmlns:b="b"><b:beams><b:beam v1="0" v2="1"/></b:beams></b:beamlattice>)";
+  EXPECT_EQ(told("a.3mf", zip::threemf(zip::model())), "");
+  EXPECT_EQ(told("a.3mf", zip::threemf(with(zip::model(), "</triangles>", beams))),
+            "its beams (beamlattice) are left out; make triangles of them and export it again\n");
+  const std::string elsewhere = R"(<object id="7"><mesh><vertices/><beamlattice><beam v1="0" v2="1"/></beamlattice></mesh></object>)";
+  EXPECT_EQ(told("a.3mf", zip::threemf(zip::model(elsewhere))), "") << "an object that is not built";
+}
+
+TEST_F(Read3mf, NamesWhatItIsPackedBy) {
+  std::string bytes = zip::threemf(zip::model());
+  const auto pack_by = [&](char method) {
+    for (std::size_t at = bytes.find("PK\3\4"); at != bytes.npos; at = bytes.find("PK\3\4", at + 1)) bytes[at + 8] = method;
+    for (std::size_t at = bytes.find("PK\1\2"); at != bytes.npos; at = bytes.find("PK\1\2", at + 1)) bytes[at + 10] = method;
+  };
+  pack_by(14);
+  expect_error("a.3mf", bytes, "is packed by LZMA, which is not read; unpack the archive and pack it again as zip does by default");
+  pack_by(12);
+  expect_error("a.3mf", bytes, "is packed by bzip2, which is not read");
+}
+
 TEST_F(Read3mf, IsKnownByWhatIsInIt) { EXPECT_EQ(read("a.zip", zip::threemf(zip::model())).triangles.size(), 4u); }
 
 TEST_F(Read3mf, TellsThatNothingIsBuilt) {

@@ -55,6 +55,9 @@ TEST_F(ReadMesh, RefusesGltfThatNeedsWhatIsNotRead) {
     expect_error("a.gltf", requiring(harmless), "no triangles");
   }
   expect_error("a.gltf", requiring("KHR_draco_mesh_compression"), "its meshes are compressed (KHR_draco_mesh_compression)");
+  expect_error("a.gltf",
+               R"({"asset":{"version":"2.0"},"buffers":[{"byteLength":4,"extensions":{"EXT_meshopt_compression":{"fallback":true}}}]})",
+               "its meshes are compressed (EXT_meshopt_compression)");
   for (const char* name : {"EXT_mesh_gpu_instancing", "ACME_shape", "CESIUM_RTC"}) {
     expect_error("a.gltf", requiring(name), std::string("it needs the extension '") + name + "', which is not read");
   }
@@ -106,13 +109,24 @@ TEST_F(ReadMesh, PutsSkinsWhereTheirJointsStand) {
   EXPECT_EQ(bounding_box(read("a.dae", skinned_collada())).max, Vec3(11, 9, 3)) << "not where their node does";
 }
 
+std::string ac3d(const std::string& of_object = "") {
+  return "\nMATERIAL \"\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\nkids 1\nOBJECT poly\n" + of_object +
+         "numvert 3\n0 0 0\n1 0 0\n0 2 3\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
+}
+
 TEST_F(ReadMesh, ReadsAc3dOfAnyVersion) {
-  for (const char* head : {"AC3Db", "AC3Dc"}) {
-    const std::string text =
-        "\nMATERIAL \"\" rgb 1 1 1 amb 1 1 1 emis 0 0 0 spec 0 0 0 shi 0 trans 0\nOBJECT world\nkids 1\nOBJECT poly\n"
-        "numvert 3\n0 0 0\n1 0 0\n0 2 3\nnumsurf 1\nSURF 0x20\nmat 0\nrefs 3\n0 0 0\n1 0 0\n2 0 0\nkids 0\n";
-    EXPECT_EQ(bounding_box(read("a.ac", head + text)).max, Vec3(1, 2, 3)) << head;
-  }
+  for (const char* head : {"AC3Db", "AC3Dc"}) EXPECT_EQ(bounding_box(read("a.ac", head + ac3d())).max, Vec3(1, 2, 3)) << head;
+}
+
+TEST_F(ReadMesh, TellsThatHiddenObjectsAreRead) {
+  const std::string one = "1 hidden object is read like the others; delete what does not belong to the shape\n";
+  EXPECT_EQ(told("a.ac", "AC3Db" + ac3d()), "");
+  EXPECT_EQ(told("a.ac", "AC3Db" + ac3d("name \"hidden\"\n")), "");
+  EXPECT_EQ(told("a.ac", "AC3Db" + ac3d("hidden\n")), one);
+  std::string scene = skinned_collada();
+  EXPECT_EQ(told("a.dae", scene), "");
+  const std::string hides = R"(<extra><technique profile="FCOLLADA"><visibility>0</visibility></technique></extra></node>)";
+  EXPECT_EQ(told("a.dae", scene.replace(scene.rfind("</node>"), 7, hides)), one);
 }
 
 TEST_F(ReadMesh, KnowsMeshesThatStateRas) {

@@ -36,6 +36,16 @@ TEST_F(ReadObj, KnowsNamesThatEndInABackslash) {
   EXPECT_EQ(read("a.obj", "v 0 0\\\n0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").vertices.size(), 3u) << "numbers are no names";
 }
 
+TEST_F(ReadObj, TellsThatFreeFormSurfacesAreLeftOut) {
+  const std::string polygons = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\n";
+  const std::string surface = "cstype bezier\ndeg 1 1\nsurf 0 1 0 1 1 2 3 4\nparm u 0 1\nparm v 0 1\nend\n";
+  EXPECT_EQ(told("a.obj", polygons), "");
+  EXPECT_EQ(told("a.obj", polygons + surface),
+            "1 free-form surface (surf) is left out; make polygons of what is missing and export it again\n");
+  EXPECT_NE(told("a.obj", polygons + surface + surface).find("2 free-form surfaces (surf) are left out"), std::string::npos);
+  EXPECT_EQ(read("a.obj", polygons + surface).triangles.size(), 1u) << "and nobody need listen";
+}
+
 TEST_F(ReadObj, RefusesDamagedFiles) {
   const std::string vertices = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
   expect_error("a.obj", vertices, "no triangles");

@@ -99,6 +99,7 @@ TEST_F(ReadVolume, ScaleInAFloatLeavesLabelsWhole) {
 
 TEST_F(ReadVolume, WhatIsNoLabelVolumeIsRefused) {
   expect_error("a.nii", with_slope(0.5f), "labels are whole numbers");
+  expect_error("a.nii", with_slope(1e17f), "but labels are read up to 1000000000000000; number them anew, or segment the scan first");
   expect_error("b.nii", volumes::nifti(true, std::endian::little, std::string(240, '\0')), "all voxels are 0");
   std::string series = volumes::nifti();
   volumes::put<std::int16_t>(series, 40, 4, std::endian::little);

@@ -67,6 +67,9 @@ TEST_F(ReadVtp, RefusesWhatItDoesNotRead) {
   const std::string text = vtk::vtp({.ascii = true}), packed = vtk::vtp({false, true, false, true});
   expect_error("a.vtp", with(text, "PolyData", "ImageData"), "of the type ImageData, which is not read");
   expect_error("a.vtp", with(packed, "vtkZLib", "vtkLZ4"), "compressed by vtkLZ4DataCompressor");
+  for (const char* more : {"0.5 <!-- half -->", "0&#46;5", "<![CDATA[0.5]]>"})
+    expect_error("a.vtp", with(text, "0.5", more),
+                 "comments or characters in code stand among its numbers, which is not read; save it with");
   expect_error("a.vtp", with(text, "Float32", "String"), "'String' are not read");
   expect_error("a.vtp", "<?xml version=\"1.0\"?><Array Name=\"SPACE\"><VTKFile type=\"PolyData\"/></Array>", "no triangles");
 }

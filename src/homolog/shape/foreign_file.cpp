@@ -73,6 +73,19 @@ void refuse_zip(std::string_view start, const std::string& extension, const std:
   refuse(file, "a zip archive; unpack it first");
 }
 
+/// As it begins without a mark: every other byte is 0. Headers of binary STL, of 80 bytes, may be such text.
+bool has_zeros_between(std::string_view start) {
+  constexpr std::size_t least = 8, enough = 256;
+  start = start.substr(0, enough);
+  if (start.size() < least) return false;
+  for (const std::size_t first : {0, 1}) {
+    std::size_t alternating = 0;
+    while (alternating < start.size() && (start[alternating] == 0) == (alternating % 2 == first)) ++alternating;
+    if (alternating == start.size()) return true;
+  }
+  return false;
+}
+
 bool is_iges(std::string_view start) {
   return start.size() > 80 && start[72] == 'S' && start.substr(73, 7).find_first_not_of(" 01") == std::string_view::npos;
 }
@@ -85,7 +98,8 @@ std::string_view without_byte_order_mark(std::string_view content) {
 }
 
 void refuse_utf16(std::string_view start, const std::string& file) {
-  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff")) refuse(file, "text in UTF-16; save it as UTF-8");
+  if (start.starts_with("\xff\xfe") || start.starts_with("\xfe\xff") || has_zeros_between(start))
+    refuse(file, "text in UTF-16; save it as UTF-8");
 }
 
 void refuse_foreign(std::string_view start, const std::string& extension, const std::string& file) {

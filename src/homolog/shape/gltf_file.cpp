@@ -89,11 +89,21 @@ std::string decoded_base64(std::string_view text, const GltfFile& file) {
   return bytes;
 }
 
+/// What is compressed stands for no bytes of its own.
+void refuse_compressed(const GltfFile& file, const json& buffer) {
+  const auto extensions = buffer.find("extensions");
+  if (extensions == buffer.end() || !extensions->is_object()) return;
+  for (const auto& [name, value] : extensions->items()) {
+    if (name.ends_with("_compression")) refuse_extension(file, name);
+  }
+}
+
 void read_buffers(GltfFile& file, std::string_view binary, const FindOther& find_other) {
   const auto list = file.document.find("buffers");
   if (list == file.document.end() || !list->is_array()) return;
   for (const json& buffer : *list) {
     const std::string uri = text_at(buffer, "uri");
+    if (uri.empty()) refuse_compressed(file, buffer);
     const auto bytes = uri.empty() && file.buffers.empty() ? std::optional(std::string(binary)) : uri_bytes(file, uri, find_other);
     if (!bytes) {
       throw FileError(

@@ -37,8 +37,12 @@ std::set<long long> labels_of(const RawVolume& volume, const std::string& file) 
     const double value = whole(volume.value(i));
     if (value == last) continue;
     last = value;
-    if (!(std::abs(value) <= static_cast<double>(largest_label)) || value != std::floor(value)) {
+    if (!std::isfinite(value) || value != std::floor(value)) {
       throw FileError(fmt::format("{}: voxel {} holds {}, but labels are whole numbers; segment the scan first", file, i, value));
+    }
+    if (std::abs(value) > static_cast<double>(largest_label)) {
+      throw FileError(fmt::format("{}: voxel {} holds {}, but labels are read up to {}; number them anew, or segment the scan first", file,
+                                  i, value, largest_label));
     }
     labels.insert(static_cast<long long>(value));
     if (labels.size() > most_labels) {

@@ -33,7 +33,7 @@ struct Placed {
 struct Object {
   Mesh mesh;
   std::vector<Placed> components;
-  bool is_left_out = false;
+  bool is_left_out = false, has_beams = false;
 };
 
 struct Model {
@@ -88,6 +88,8 @@ class Reader {
                                           coordinate(element, "z", file_));
     } else if (object_ && element.name == "triangle") {
       add_triangle(element);
+    } else if (object_ && element.name == "beam") {
+      object_->has_beams = true;
     }
     return true;
   }
@@ -172,12 +174,14 @@ class Assembly {
     if (found == holder.objects.end()) fail(file_, fmt::format("object '{}' does not exist", shown(placed.object)));
     const Object& object = found->second;
     if (object.is_left_out) return;
+    has_beams = has_beams || object.has_beams;
     const Mat4 world_from_object = world_from_outer * placed.outer_from_object;
     append(object.mesh, world_from_object);
     for (const Placed& component : object.components) add(component, world_from_object, depth + 1);
   }
 
   Mesh mesh;
+  bool has_beams = false;
 
  private:
   void append(const Mesh& part, const Mat4& world_from_object) {
@@ -223,13 +227,14 @@ bool is_3mf(std::string_view content) {
   return content.starts_with("PK\3\4") && content.find("_rels/.rels") != content.npos && content.find(".model") != content.npos;
 }
 
-Mesh read_3mf(std::string_view content, const std::string& file, const ReadLimits& limits) {
+Mesh read_3mf(std::string_view content, const std::string& file, const ReadLimits& limits, const Tell& tell) {
   const ZipArchive archive(content, file);
   Assembly assembly(archive, file, limits);
   const Model& root = assembly.model(root_part(archive, file, limits.bytes));
   if (root.items.empty())
     throw FileError(fmt::format("{}: none of its objects is to be built; put them on the plate and export it again", file));
   for (const Placed& item : root.items) assembly.add(item, Mat4::Identity(), 0);
+  if (assembly.has_beams && tell) tell("its beams (beamlattice) are left out; make triangles of them and export it again");
   return std::move(assembly.mesh);
 }
 

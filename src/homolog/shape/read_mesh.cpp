@@ -74,19 +74,19 @@ Mesh read_ply_content(std::string_view content, const std::string& file, std::si
   return is_ply_cloud(content, file) ? surface_of(read_ply_cloud(content, file), file, most_points) : read_ply(content, file);
 }
 
-Mesh read_content(const fs::path& path, std::string_view content, const ReadLimits& limits) {
+Mesh read_content(const fs::path& path, std::string_view content, const ReadLimits& limits, const Tell& tell) {
   const std::string extension = lower_extension(path), file = path.string();
   const FindOther find_other = [&](const std::string& name) { return find_beside(path, name, limits.bytes); };
-  if (const std::string format = scene_format(content, extension); !format.empty()) return read_scene(content, format, file);
+  if (const std::string format = scene_format(content, extension); !format.empty()) return read_scene(content, format, file, tell);
   if (content.starts_with("ply")) return read_ply_content(content, file, limits.triangles);
   if (is_vtk(content)) return read_vtk(content, file);
   if (is_vtp(content)) return read_vtp(content, file, limits.triangles);
   if (is_stl(content)) return read_stl(content, file);
-  if (is_obj(content)) return read_obj(content, file);
+  if (is_obj(content)) return read_obj(content, file, tell);
   if (is_gltf(content) || extension == ".gltf" || extension == ".glb") return weld(read_gltf(content, file, find_other, limits.triangles));
-  if (is_3mf(content) || extension == ".3mf") return weld(read_3mf(content, file, limits));
+  if (is_3mf(content) || extension == ".3mf") return weld(read_3mf(content, file, limits, tell));
   if (extension == ".off" || is_off(content)) return read_off(content, file);
-  if (extension == ".obj") return read_obj(content, file);
+  if (extension == ".obj") return read_obj(content, file, tell);
   if (extension == ".ply") return read_ply(content, file);
   if (extension == ".stl") return read_stl(content, file);
   if (extension == ".xyz" || is_xyz(content)) return surface_of(read_xyz(content, file), file, limits.triangles);
@@ -134,13 +134,13 @@ std::string read_beside(const fs::path& file, const std::string& name, std::uint
   }
 }
 
-Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label) {
+Mesh read_mesh(const fs::path& path, const ReadLimits& limits, const Label& label, const Tell& tell) {
   const std::string content = read_file(path, limits.bytes);
   const std::optional<RawVolume> volume = read_volume(content, path, limits);
   if (label && !volume) throw FileError(fmt::format("{}: it holds no labels; leave the label out", path.string()));
   if (!volume && !is_3mf(content)) refuse_foreign(content, lower_extension(path), path.string());
   Mesh mesh = volume ? label_surface(*volume, label, path.string(), limits.triangles)
-                     : read_content(path, without_byte_order_mark(content), limits);
+                     : read_content(path, without_byte_order_mark(content), limits, tell);
   if (!volume && states_ras(content)) mesh.ras = true;
   check_read(mesh, path.string(), limits.triangles);
   return mesh;

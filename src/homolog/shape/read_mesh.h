@@ -9,6 +9,7 @@
 #include "homolog/shape/label_surface.h"
 #include "homolog/shape/mesh.h"
 #include "homolog/shape/read_limits.h"
+#include "homolog/shape/tell.h"
 
 namespace homolog {
 
@@ -18,7 +19,8 @@ namespace homolog {
 /// point clouds with normals (PLY without faces, XYZ) the surface that they were taken from (cloud_surface.h). All are known by how they
 /// begin, scenes and 3MF by their names, too; what else a file is, is told (foreign_file.h). Throws FileError (missing, empty, truncated,
 /// malformed, non-finite, beyond the limits, a label that is not there, points without normals).
-Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {});
+/// `tell` is called with what the file holds and is left out, or is read although it is hidden.
+Mesh read_mesh(const std::filesystem::path& path, const ReadLimits& limits = {}, const Label& label = {}, const Tell& tell = {});
 
 /// Reads a file that another one names: in that one's folder or below, links followed. Throws FileError.
 std::string read_beside(const std::filesystem::path& file, const std::string& name, std::uint64_t most = most_bytes);

@@ -28,15 +28,17 @@ bool is_obj(std::string_view content) {
   return next_data_line(text, line) && std::count(std::begin(words), std::end(words), take_word(line)) > 0;
 }
 
-Mesh read_obj(std::string_view content, const std::string& file) {
+Mesh read_obj(std::string_view content, const std::string& file, const Tell& tell) {
   Text text{file, content};
   Mesh mesh;
   std::vector<Face> faces;
+  std::size_t free_forms = 0;
   std::string_view line;
   std::string joined;
   while (next_whole_line(text, line, joined)) {
     const std::string_view keyword = take_word(line);
     if (keyword == "v") mesh.vertices.push_back(take_position(text, line));
+    free_forms += keyword == "surf";
     if (keyword != "f" && keyword != "fo") continue;
     Face face{text.line, {}};
     for (std::string_view word = take_word(line); !word.empty(); word = take_word(line)) {
@@ -54,6 +56,9 @@ Mesh read_obj(std::string_view content, const std::string& file) {
     }
     append_polygon(mesh, std::move(face.corners));
   }
+  if (free_forms > 0 && tell)
+    tell(fmt::format("{} free-form surface{} left out; make polygons of what is missing and export it again", free_forms,
+                     free_forms == 1 ? " (surf) is" : "s (surf) are"));
   return mesh;
 }
 

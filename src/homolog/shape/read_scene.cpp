@@ -110,6 +110,19 @@ const aiScene* imported(Assimp::Importer& importer, std::string_view content, co
   }
 }
 
+/// How many objects a file hides, which assimp does not tell.
+std::size_t hidden_in(std::string_view content, const std::string& format) {
+  std::size_t hidden = 0;
+  const auto count = [&](std::string_view word) {
+    for (std::size_t at = content.find(word); at != content.npos; at = content.find(word, at + word.size())) ++hidden;
+  };
+  if (format == "ac")
+    for (const char* line : {"\nhidden\n", "\nhidden\r"}) count(line);
+  if (format == "dae")
+    for (const char* value : {"<visibility>0", "<visibility>false"}) count(value);
+  return hidden;
+}
+
 Mesh read_by_assimp(std::string_view content, const std::string& format, const std::string& file) {
   Assimp::Importer importer;
   Mesh mesh;
@@ -137,10 +150,14 @@ std::string scene_format(std::string_view content, const std::string& extension)
   return extension == ".3ds" && content.starts_with("MM") ? "3ds" : "";
 }
 
-Mesh read_scene(std::string_view content, const std::string& format, const std::string& file) {
+Mesh read_scene(std::string_view content, const std::string& format, const std::string& file, const Tell& tell) {
   ChildLimits limits;
   limits.seconds += static_cast<unsigned>(content.size() / bytes_a_second);
-  return read_in_child([&] { return read_by_assimp(content, format, file); }, file, limits);
+  Mesh mesh = read_in_child([&] { return read_by_assimp(content, format, file); }, file, limits);
+  if (const std::size_t hidden = hidden_in(content, format); hidden > 0 && tell)
+    tell(fmt::format("{} hidden object{} read like the others; delete what does not belong to the shape", hidden,
+                     hidden == 1 ? " is" : "s are"));
+  return mesh;
 }
 
 }  // namespace homolog

@@ -80,6 +80,10 @@ std::string take_compressed(Bytes& bytes, std::size_t wanted, const VtkStorage& 
 }
 
 std::vector<double> read_text(std::string_view text, std::size_t count, const VtkStorage& storage) {
+  if (text.find_first_of("<&") != text.npos) {
+    throw FileError(fmt::format("{}: comments or characters in code stand among its numbers, which is not read; save it with binary data",
+                                storage.file));
+  }
   if (count > text.size() / 2 + 1) fail(storage, "an array is longer than the file");
   Text rest{storage.file, text};
   std::string_view line;

@@ -48,6 +48,17 @@ zlib_filefunc64_def functions_of(Stream& stream) {
   return functions;
 }
 
+/// Of the file that was found last. Debian's minizip gives the bytes of bzip2 as they are.
+void refuse_other_packing(unzFile archive, const std::string& name, const std::string& file) {
+  unz_file_info64 info{};
+  if (unzGetCurrentFileInfo64(archive, &info, nullptr, 0, nullptr, 0, nullptr, 0) != UNZ_OK) return;
+  if (info.compression_method == 0 || info.compression_method == Z_DEFLATED) return;
+  const char* method = info.compression_method == 12 ? "bzip2" : info.compression_method == 14 ? "LZMA" : "a rare method";
+  throw FileError(
+      fmt::format("{}: '{}' in it is packed by {}, which is not read; unpack the archive and pack it again as zip does by default", file,
+                  shown(name), method));
+}
+
 }  // namespace
 
 ZipArchive::ZipArchive(std::string_view content, std::string file)
@@ -61,6 +72,7 @@ ZipArchive::~ZipArchive() { unzClose(archive_); }
 
 std::optional<std::string> ZipArchive::read(const std::string& name, std::uint64_t most) const {
   if (unzLocateFile(archive_, name.c_str(), any_case) != UNZ_OK) return {};
+  refuse_other_packing(archive_, name, file_);
   std::string bytes;
   int got = unzOpenCurrentFile(archive_) == UNZ_OK ? 1 : -1;
   while (got > 0 && bytes.size() <= most) {
