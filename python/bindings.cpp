@@ -12,6 +12,7 @@
 
 #include <map>
 #include <tuple>
+#include <vector>
 
 #include "arrays.h"
 #include "dense.h"
@@ -74,8 +75,9 @@ void check_described_with(const Described& described, const Params& params) {
   }
 }
 
-std::tuple<Places, Triangles, bool> read(const std::filesystem::path& path, const Label& label,
-                                         const std::map<std::string, std::uint64_t>& most) {
+/// The mesh, whether it is in RAS, and what was said while it was read.
+std::tuple<Places, Triangles, bool, std::vector<std::string>> read(const std::filesystem::path& path, const Label& label,
+                                                                   const std::map<std::string, std::uint64_t>& most) {
   ReadLimits limits;
   for (const auto& [what, number] : most) {
     if (what == "bytes") limits.bytes = number;
@@ -83,11 +85,12 @@ std::tuple<Places, Triangles, bool> read(const std::filesystem::path& path, cons
     if (what == "voxels") limits.voxels = number;
   }
   Mesh mesh;
+  std::vector<std::string> told;
   {
     Interruptible working;
-    mesh = read_mesh(path, limits, label);
+    mesh = read_mesh(path, limits, label, [&](const std::string& sentence) { told.push_back(sentence); });
   }
-  return {places_of(mesh.vertices), triangles_of(mesh), mesh.ras};
+  return {places_of(mesh.vertices), triangles_of(mesh), mesh.ras, told};
 }
 
 Described describe(const Places& vertices, const Triangles& triangles, const std::string& name, bool ras,

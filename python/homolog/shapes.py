@@ -59,8 +59,10 @@ def _surface_of(mesh: Any) -> Any:
 
 def _read(path: Path, label: int | None, most: dict[str, int]) -> Surface:
     with told_if_missing(path):
-        vertices, faces, ras = _core.read(path, label, most)
-        return Surface(vertices, faces, path.name, ras)
+        vertices, faces, ras, told = _core.read(path, label, most)
+    for sentence in told:
+        warnings.warn(f"{path.name}: {sentence}", UserWarning, stacklevel=4)  # of who describes or matches it
+    return Surface(vertices, faces, path.name, ras)
 
 
 def _rows(rows: Any, what: str, dtype: type) -> np.ndarray:
