@@ -37,7 +37,8 @@ constexpr std::size_t repeated_pieces = 12;  // of a shape, that are looked for 
 constexpr std::size_t sets_of_a_chirality = 24;
 constexpr std::size_t axis_starts_of_a_chirality = 4;
 constexpr std::size_t end_starts_of_a_chirality = 12;
-constexpr std::size_t region_starts_of_a_chirality = 12;
+constexpr std::size_t region_starts_of_a_chirality = 8;
+constexpr std::size_t outward_starts_of_a_chirality = 12;
 
 // Sec. 6.2.2: the distinct sets of one chirality that grow from the seeds.
 std::vector<GrownSet> grow_seeds(const std::vector<Seed>& seeds, Chirality chirality, const CorrespondenceSet& candidates,
@@ -51,7 +52,7 @@ std::vector<GrownSet> grow_seeds(const std::vector<Seed>& seeds, Chirality chira
 std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, const CorrespondenceSet& candidates, const Shape& model, const Shape& data,
                                const Params& params) {
   const std::vector<FollowedEnds> ends = follow_ends(model, data);
-  const std::vector<AxisSkin> regions = regions_of(data.body);
+  const std::vector<Region> regions = regions_to_lay_on(data.body);
   std::vector<GrownSet> sets;
   const auto add = [&](const std::vector<GrownSet>& some) { sets.insert(sets.end(), some.begin(), some.end()); };
   for (const Chirality chirality : {Chirality::proper, Chirality::mirrored}) {
@@ -59,6 +60,7 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, const Corresponde
     add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
     add(end_starts(ends, model, data, chirality, end_starts_of_a_chirality));
     add(region_starts(regions, model, data, chirality, region_starts_of_a_chirality));
+    add(outward_starts(regions, model, data, chirality, outward_starts_of_a_chirality));
   }
   return sets;
 }

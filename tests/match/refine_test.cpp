@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
+#include <numbers>
+#include <optional>
 
 #include "fixtures/shapes.h"
 #include "homolog/match/evidence.h"
@@ -21,7 +24,7 @@ GrownSet start(const homolog::Similarity& map) {
 }
 
 Refined drawn(const GrownSet& set) {
-  Refined refined = lay_set(set, described_hand());
+  Refined refined = lay_set(set, described_hand(), described_hand());
   draw_set(refined, described_hand(), described_hand(), DescriptorKind::free, 0, first_steps);
   return refined;
 }
@@ -46,7 +49,7 @@ struct CutFingers {
     fingers = describe_shape(mesh, coarse(), Box{{0, 0.4, 0}, {1, 1, 1}});
     for (Vec3& v : mesh.vertices) v = bend(v);
     data = describe_shape(mesh, coarse());
-    refined = lay_set(start({}), fingers);
+    refined = lay_set(start({}), fingers, data);
     for (Vec3& node : refined.cloth.nodes) node.y() *= 1.08;
   }
   double mean_error() const {
@@ -64,6 +67,34 @@ TEST(Refine, AStretchTowardsACutIsReleased) {
   finish(cut.refined, cut.fingers, cut.data, DescriptorKind::free);
   EXPECT_LT(cut.mean_error(), 0.9 * drawn);
   EXPECT_EQ(merit_of(cut.refined.evidence), merit);  // the order of matches is left alone
+}
+
+// The fingers are folded over by a right angle: where the palm lays them straight, nothing of theirs is near.
+TEST(Refine, WhatLiesBeyondAJointIsReachedFromBeforeIt) {
+  const auto fold = [](const Vec3& x) {
+    const Vec3 joint(0, 0.4, 0);
+    const double angle = std::numbers::pi / 2 * std::clamp((x.y() - 0.3) / 0.2, 0.0, 1.0);
+    return Vec3(joint + Eigen::AngleAxisd(angle, Vec3::UnitX()) * (x - joint));
+  };
+  Mesh folded = mesh_of(fixtures::hand(), 64);
+  for (Vec3& v : folded.vertices) v = fold(v);
+  const Shape &model = described_hand(), data = describe_shape(folded, coarse());
+  const Body& body = model.body;
+  const auto skin_end = body.nodes.begin() + static_cast<std::ptrdiff_t>(body.surface_count);
+  const auto nearer = [&](const Vec3& a, const Vec3& b) { return a.squaredNorm() < b.squaredNorm(); };
+  const std::size_t palm = std::min_element(body.nodes.begin(), skin_end, nearer) - body.nodes.begin();
+  const auto error_from = [&](std::optional<std::size_t> node) {
+    GrownSet set = start({});
+    set.drawn_from = node;
+    Refined refined = lay_set(set, model, data);
+    draw_set(refined, model, data, DescriptorKind::free, 0, first_steps);
+    double sum = 0;
+    for (std::size_t i = 0; i < body.nodes.size(); ++i) sum += (refined.cloth.nodes[i] - fold(body.nodes[i])).norm();
+    return sum / static_cast<double>(body.nodes.size()) / model.diagonal;
+  };
+  const double at_once = error_from({}), outwards = error_from(palm);
+  EXPECT_LT(outwards, 0.025);
+  EXPECT_LT(outwards, 0.6 * at_once);
 }
 
 TEST(Refine, APartThatDoesNotBendIsLaidBySimilarity) {
@@ -91,7 +122,7 @@ TEST(Refine, TheMatchTellsItsClothAsASpline) {
 // The spline's own similarity leaves least bending, but bending makes it smaller.
 TEST(Refine, TheSimilarityOfAMatchIsTheNearestToItsMap) {
   const Shape& hand = described_hand();
-  Refined refined = lay_set(start({}), hand);
+  Refined refined = lay_set(start({}), hand, hand);
   for (Vec3& node : refined.cloth.nodes) {
     if (node.z() > 0) node.y() += 2 * node.z() * node.z() / hand.diagonal;  // bent
   }

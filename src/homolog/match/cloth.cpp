@@ -29,6 +29,12 @@ double at_step(double first, double last, int step, int steps) {
   return steps == 1 ? last : first * std::pow(last / first, static_cast<double>(step) / (steps - 1));
 }
 
+// Nothing is drawn beyond the front, and little just before it. What lies beyond takes its share of the data all the same.
+void hold_back(Pull& pull, const Body& model, std::size_t node, double way) {
+  constexpr double blurred = 0.1;
+  for (std::size_t i = 0; i < pull.masses.size(); ++i) pull.masses[i] *= std::clamp((1 - model.ways(i, node) / way) / blurred, 0.0, 1.0);
+}
+
 using Sparse = Eigen::SparseMatrix<double>;
 
 // The upper half, rows and columns in the order of elimination.
@@ -86,7 +92,13 @@ Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& 
 ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end) {
   const auto reach = [&](int step) { return at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations); };
   const auto stiffness = [&](int step) { return at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations); };
-  return {end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1), schedule.give};
+  ClothSchedule steps{end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1), schedule.give, schedule.front};
+  if (steps.front) {
+    const auto way = [&](int step) { return at_step(schedule.front->first_way, schedule.front->last_way, step, schedule.iterations); };
+    steps.front->first_way = way(begin);
+    steps.front->last_way = way(end - 1);
+  }
+  return steps;
 }
 
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
@@ -125,7 +137,10 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
   for (int step = 0; step < schedule.iterations; ++step) {
     const double reach = data_diagonal * at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations);
     const double stiffness = at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations);
-    const Pull pull = unbiased_pull(mapped_skin(cloth, model), model.skin_order, samples, reach, limbs.model);
+    Pull pull = unbiased_pull(mapped_skin(cloth, model), model.skin_order, samples, reach, limbs.model);
+    if (const auto& front = schedule.front) {
+      hold_back(pull, model, front->node, at_step(front->first_way, front->last_way, step, schedule.iterations));
+    }
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass(order);
     solver.factorize(system);

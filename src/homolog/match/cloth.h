@@ -4,6 +4,7 @@
 // In: a start for every node. Out: refined nodes and the dense evidence that ranks matches.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "homolog/describe/body.h"
@@ -37,12 +38,19 @@ struct LimbPlaces {
 /// Share of the measured stretch that the body's edges take over from one step to the next, so that limbs can get longer.
 inline constexpr double usual_give = 0.5;
 
+/// The part of the skin that is drawn: what lies within a way inside from a node, farther and farther. The rest follows stiffly.
+struct Front {
+  std::size_t node;
+  double first_way, last_way;  ///< model units
+};
+
 /// From wide to narrow and from stiff to soft, in geometric steps; lengths in data diagonals.
 struct ClothSchedule {
   int iterations;
   double first_reach, last_reach;
   double first_stiffness, last_stiffness;
   double give = usual_give;
+  std::optional<Front> front = {};  ///< all of the skin, if none
 };
 
 /// The steps of a schedule from `begin` up to `end`, as a schedule of their own.

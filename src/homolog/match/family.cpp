@@ -154,8 +154,8 @@ struct LaidSet {
 std::vector<Refined> refine_all(const std::vector<GrownSet>& sets, const Shape& model, const Shape& data, const Params& params,
                                 bool without_identity, Stopwatch* watch) {
   const auto is_identity = [&](const Refined& r) { return stays(r.cloth, model); };
-  std::vector<Refined> refined;
-  for (const GrownSet& set : sets) refined.push_back(lay_set(set, model));
+  std::vector<Refined> refined(sets.size());
+  parallel_for(sets.size(), [&](std::size_t i) { refined[i] = lay_set(sets[i], model, data); });
   int begin = 0;
   for (const auto& [end, most, most_behind] : heats) {
     parallel_for(refined.size(), [&](std::size_t i) { draw_set(refined[i], model, data, params.descriptor.kind, begin, end); });

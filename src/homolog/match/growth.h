@@ -4,6 +4,7 @@
 // further point; the likeliest candidate joins and the spline is laid anew (docs/paper_map.md). One-to-one by construction.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "homolog/describe/shape.h"
@@ -17,7 +18,8 @@ struct GrownSet {
   CorrespondenceSet pairs;
   Chirality chirality = Chirality::proper;
   ThinPlateSpline spline;
-  double score = 0;  ///< 1 - cost / limit summed over the pairs that joined, 1/2 for each of the seed
+  std::optional<std::size_t> drawn_from;  ///< a node of the model: it is drawn on to the data from there outwards; at once, if none
+  double score = 0;                       ///< 1 - cost / limit summed over the pairs that joined, 1/2 for each of the seed
 };
 
 /// The set that grows from a seed by `candidates`, which stand by model point. `bending` in shares of the model's diagonal.

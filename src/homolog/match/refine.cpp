@@ -10,6 +10,7 @@
 #include "homolog/match/guided_pairs.h"
 #include "homolog/match/laid_limbs.h"
 #include "homolog/match/limbs.h"
+#include "homolog/match/regions.h"
 #include "homolog/match/rigid_draw.h"
 #include "homolog/match/trusted_pairs.h"
 #include "homolog/match/turned_limbs.h"
@@ -19,6 +20,8 @@ namespace homolog {
 namespace {
 
 constexpr int last_steps = 14;
+constexpr ClothSchedule outward_draw{10, 0.05, 0.05, 0.3, 0.3};
+constexpr double first_front = 0.45, last_front = 1.05;  // of the longest way from the node: the region that lies well comes first
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule limb_draw{10, 0.08, 0.02, 0.7, 0.2};
 constexpr ClothSchedule unstretched_draw{14, 0.03, 0.03, 2.8, 2.8, 0};
@@ -40,6 +43,16 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
   const SourceSystem system(model_positions(pairs), std::vector<double>(pairs.size(), 0));
   const ThinPlateSpline spline = ThinPlateSpline::similarity_free(system, data_positions(pairs), chirality);
   return spline.energy / (spline.similarity.scale * spline.similarity.scale * model_diagonal);
+}
+
+// What bends at a joint is brought on to the data by what lies before the joint. At each step it may come near other samples.
+void draw_outwards(Cloth& cloth, std::size_t node, const Shape& model, const Shape& data) {
+  const double longest = longest_way_from(model.body, node);
+  ClothSchedule schedule = outward_draw;
+  schedule.front = Front{node, first_front * longest, last_front * longest};
+  for (int step = 0; step < schedule.iterations; ++step) {
+    draw_onto(cloth, model, data, {}, steps_of(schedule, step, step + 1), data_samples);
+  }
 }
 
 void weigh_again(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind) {
@@ -121,7 +134,11 @@ void lengthen_limbs(Refined& refined, const Shape& model, const Shape& data, Des
 
 }  // namespace
 
-Refined lay_set(const GrownSet& set, const Shape& model) { return {set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0}; }
+Refined lay_set(const GrownSet& set, const Shape& model, const Shape& data) {
+  Refined laid{set.pairs, lay_cloth(model.body, set.spline, set.chirality), {}, 0};
+  if (set.drawn_from) draw_outwards(laid.cloth, *set.drawn_from, model, data);
+  return laid;
+}
 
 void draw_set(Refined& refined, const Shape& model, const Shape& data, DescriptorKind kind, int begin, int end) {
   draw_onto(refined.cloth, model, data, anchors_of(refined.pairs, model.body), steps_of(first_draw(first_steps), begin, end), data_samples);

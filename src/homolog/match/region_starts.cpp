@@ -2,7 +2,6 @@
 #include "homolog/match/region_starts.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
@@ -10,24 +9,15 @@
 namespace homolog {
 namespace {
 
-constexpr Eigen::Index centres = 40;                    // of regions, an even prefix of the skin
-constexpr double reaches[] = {0.18, 0.26, 0.37, 0.53};  // of regions, as shares of the longest way inside
-constexpr std::size_t least_samples = 24;               // fewer show no form
-constexpr double most_share = 0.85;                     // of the skin; more is the whole, which has starts of its own
-constexpr std::size_t settled = 80;                     // ways to lay the model, after a rough look at all
-
-double longest_way(const Body& body, Eigen::Index skin) {
-  double longest = 0;
-  for (Eigen::Index c = 0; c < std::min(centres, skin); ++c) {
-    for (Eigen::Index i = 0; i < skin; ++i) {
-      if (std::isfinite(body.ways(i, c))) longest = std::max(longest, body.ways(i, c));
-    }
-  }
-  return longest;
-}
+constexpr std::size_t centres = 40, model_centres = 8;
+constexpr double reaches[] = {0.18, 0.26, 0.37, 0.53};
+constexpr double model_reaches[] = {0.45};                  // large enough to show a form, small enough not to bend
+constexpr std::size_t settled = 80, settled_outward = 160;  // ways to lay the model or its regions, after a rough look at all
+constexpr double least_whole = 0.2, most_whole = 0.85;      // longest way of the whole model laid by a region, in the data's: a part of it
 
 struct Way {
-  std::size_t region;
+  const Region* from;  // of the model
+  const Region* onto;  // of the data
   Settled laid;
 };
 
@@ -35,54 +25,79 @@ void sort_by_distance(std::vector<Way>& ways) {
   std::stable_sort(ways.begin(), ways.end(), [](const Way& x, const Way& y) { return x.laid.distance < y.laid.distance; });
 }
 
-// All ways to lay the model's axes on a region's.
-std::vector<Way> rough_ways(const AxisSkin& model, const std::vector<AxisSkin>& regions, Chirality chirality) {
-  std::vector<std::vector<Way>> of_region(regions.size());
-  parallel_for(regions.size(), [&](std::size_t r) {
-    for (const Similarity& s : axis_similarities(model, regions[r], chirality))
-      of_region[r].push_back({r, rough_look(s, model, regions[r])});
+// All ways to lay the axes of one region on another's, roughly looked at.
+std::vector<Way> rough_ways(const Region& from, const Region& onto, Chirality chirality) {
+  std::vector<Way> ways;
+  for (const Similarity& s : axis_similarities(from.skin, onto.skin, chirality)) {
+    ways.push_back({&from, &onto, rough_look(s, from.skin, onto.skin)});
+  }
+  return ways;
+}
+
+// Of the ways to lay each model region on each of the data's that it may lie on, `most` are settled, the best first; none that lies farther
+// than `farthest`.
+template <class MayLie>
+std::vector<Way> settled_ways(const std::vector<Region>& model, const std::vector<Region>& data, Chirality chirality, std::size_t most,
+                              double farthest, const MayLie& may_lie) {
+  std::vector<std::vector<Way>> of_pair(model.size() * data.size());
+  parallel_for(of_pair.size(), [&](std::size_t p) {
+    const Region &from = model[p / data.size()], &onto = data[p % data.size()];
+    if (may_lie(from, onto)) of_pair[p] = rough_ways(from, onto, chirality);
   });
   std::vector<Way> ways;
-  for (const std::vector<Way>& some : of_region) ways.insert(ways.end(), some.begin(), some.end());
+  for (const std::vector<Way>& some : of_pair) ways.insert(ways.end(), some.begin(), some.end());
+  sort_by_distance(ways);
+  ways.resize(std::min(ways.size(), most));
+  parallel_for(ways.size(),
+               [&](std::size_t i) { ways[i].laid = settle(ways[i].laid.similarity, ways[i].from->skin, ways[i].onto->skin, chirality); });
+  std::erase_if(ways, [&](const Way& way) { return way.laid.distance > farthest; });
+  sort_by_distance(ways);
   return ways;
+}
+
+// Of the whole model, laid best on the whole data.
+double distance_on_whole(const AxisSkin& model, const Shape& data, Chirality chirality) {
+  return ways_to_lay(model, axis_skin(data.surface, data.diagonal), chirality, 1)[0].distance;
 }
 
 }  // namespace
 
-std::vector<AxisSkin> regions_of(const Body& body) {
-  const auto skin = static_cast<Eigen::Index>(body.surface_count);
-  const double longest = longest_way(body, skin);
-  std::vector<AxisSkin> regions;
-  for (const double reach : reaches) {
-    for (Eigen::Index c = 0; c < std::min(centres, skin); ++c) {
-      std::vector<SurfaceSample> region;
-      for (Eigen::Index i = 0; i < skin; ++i) {
-        if (body.ways(i, c) < reach * longest) region.push_back({body.nodes[i], body.normals[i]});
-      }
-      if (region.size() < least_samples || static_cast<double>(region.size()) > most_share * static_cast<double>(skin)) continue;
-      regions.push_back(axis_skin(region, diagonal_of(region)));
-    }
-  }
-  return regions;
-}
+std::vector<Region> regions_to_lay_on(const Body& data) { return regions_of(data, centres, reaches); }
 
-std::vector<GrownSet> region_starts(const std::vector<AxisSkin>& regions, const Shape& model, const Shape& data, Chirality chirality,
+std::vector<GrownSet> region_starts(const std::vector<Region>& regions, const Shape& model, const Shape& data, Chirality chirality,
                                     std::size_t most) {
   if (model.surface.empty() || data.surface.empty()) return {};
-  const AxisSkin skin = axis_skin(model.surface, model.diagonal);
-  std::vector<Way> ways = rough_ways(skin, regions, chirality);
-  sort_by_distance(ways);
-  ways.resize(std::min(ways.size(), settled));
-  parallel_for(ways.size(),
-               [&](std::size_t i) { ways[i].laid = settle(ways[i].laid.similarity, skin, regions[ways[i].region], chirality); });
-  const std::vector<Settled> on_whole = ways_to_lay(skin, axis_skin(data.surface, data.diagonal), chirality, 1);
-  std::erase_if(ways, [&](const Way& way) { return way.laid.distance > on_whole[0].distance; });
-  sort_by_distance(ways);
+  const std::vector<Region> whole{{0, axis_skin(model.surface, model.diagonal)}};
+  const AxisSkin& skin = whole[0].skin;
+  std::vector<Way> ways = settled_ways(whole, regions, chirality, settled, distance_on_whole(skin, data, chirality),
+                                       [](const Region&, const Region&) { return true; });
   ways = distinct(std::move(ways), most, [&](const Way& x, const Way& kept) {
-    return same_start(x.laid.similarity, kept.laid.similarity, skin, regions[kept.region].diagonal);
+    return same_start(x.laid.similarity, kept.laid.similarity, skin, kept.onto->skin.diagonal);
   });
   std::vector<GrownSet> starts;
   for (const Way& way : ways) starts.push_back(set_of(way.laid.similarity, chirality));
+  return starts;
+}
+
+std::vector<GrownSet> outward_starts(const std::vector<Region>& regions, const Shape& model, const Shape& data, Chirality chirality,
+                                     std::size_t most) {
+  if (model.surface.empty() || data.surface.empty()) return {};
+  const std::vector<Region> of_model = regions_of(model.body, model_centres, model_reaches);
+  const double longer = longest_way(model.body) / longest_way(data.body);
+  const auto may_lie = [&](const Region& from, const Region& onto) {
+    const double whole = longer * onto.skin.radius / from.skin.radius;
+    return least_whole < whole && whole < most_whole;
+  };
+  const AxisSkin skin = axis_skin(model.surface, model.diagonal);
+  std::vector<Way> ways = settled_ways(of_model, regions, chirality, settled_outward, distance_on_whole(skin, data, chirality), may_lie);
+  ways = distinct(std::move(ways), most, [&](const Way& x, const Way& kept) {
+    return same_start(x.laid.similarity, kept.laid.similarity, skin, kept.laid.similarity.scale * model.diagonal);
+  });
+  std::vector<GrownSet> starts;
+  for (const Way& way : ways) {
+    starts.push_back(set_of(way.laid.similarity, chirality));
+    starts.back().drawn_from = way.from->centre;
+  }
   return starts;
 }
 
