@@ -3,7 +3,6 @@
 #pragma once
 
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 namespace homolog {
@@ -12,9 +11,6 @@ inline constexpr std::size_t huge_page = 2 << 20;
 
 /// Asks for huge pages for memory that has not been touched yet.
 void prefer_huge_pages(void* memory, std::size_t bytes);
-
-/// Gives the memory of what will not be used any more back to the system, though it is owned by somebody; what it holds is lost, or not.
-void forget(std::string_view bytes);
 
 std::vector<float> large_zeros(std::size_t count);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/shape/read_scene.h"
 
+#include <assimp/DefaultIOSystem.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
@@ -13,7 +14,6 @@
 #include "homolog/base/errors.h"
 #include "homolog/shape/foreign_file.h"
 #include "homolog/shape/read_in_child.h"
-#include "homolog/shape/read_once.h"
 #include "homolog/shape/text.h"
 #include "homolog/shape/weld.h"
 
@@ -21,6 +21,12 @@ namespace homolog {
 namespace {
 
 constexpr std::size_t bytes_a_second = 1 << 20;  // the slowest that an undamaged file is read
+
+/// A scene names other files (textures), which are none of its business.
+struct NoFiles : Assimp::DefaultIOSystem {
+  bool Exists(const char*) const override { return false; }
+  Assimp::IOStream* Open(const char*, const char*) override { return nullptr; }
+};
 
 aiMatrix4x4 world_from(const aiNode* node) {
   aiMatrix4x4 matrix;
@@ -87,12 +93,11 @@ const char* name_of(const std::string& format) {
 
 /// Before anything is made of it; null when it cannot be read, for reasons in assimp's words, which help nobody.
 const aiScene* imported(Assimp::Importer& importer, std::string_view content, const std::string& format) {
-  const std::string name = "scene." + format;
-  importer.SetIOHandler(new ReadOnce(content, name));                            // which the importer deletes
+  importer.SetIOHandler(new NoFiles);                                            // which the importer deletes
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, true);  // coordinates stay the file's
   importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
   try {
-    const aiScene* scene = importer.ReadFile(name, 0);
+    const aiScene* scene = importer.ReadFileFromMemory(content.data(), content.size(), 0, format.c_str());
     if (importer.GetException()) std::rethrow_exception(importer.GetException());
     if (format == "dae" && scene && scene->mRootNode)
       scene->mRootNode->mTransformation = aiMatrix4x4();  // else metres are made of its unit
