@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstdio>
+#include <filesystem>
 #include <system_error>
 
 #include "homolog/base/errors.h"
@@ -65,6 +66,12 @@ void Console::warn(std::string_view sentence) {
 void Console::clear() {
   if (shown_) say("\r\033[K");
   shown_ = false;
+}
+
+Tell warnings_of(const std::string& path, Console& console) {
+  return [name = std::filesystem::path(path).filename().string(), &console](const std::string& sentence) {
+    console.warn(fmt::format("{}: {}", name, sentence));
+  };
 }
 
 }  // namespace homolog::cli

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "homolog/base/stopwatch.h"
+#include "homolog/shape/tell.h"
 
 namespace homolog::cli {
 
@@ -34,5 +35,8 @@ class Console {
   bool quiet_, timing_, progress_, shown_ = false;
   Stopwatch watch_;
 };
+
+/// What is told while a file is read becomes warnings that name it.
+Tell warnings_of(const std::string& path, Console& console);
 
 }  // namespace homolog::cli

@@ -33,8 +33,7 @@ DescribedFile describe_file(const std::string& path, const std::optional<Box>& p
                             Console& console, const Label& label) {
   const std::string name = std::filesystem::path(path).filename().string();
   console.stage(fmt::format("reading {}", name));
-  const Tell warn = [&](const std::string& sentence) { console.warn(fmt::format("{}: {}", name, sentence)); };
-  DescribedFile file{read_shape(path, limits, label, warn), {}};
+  DescribedFile file{read_shape(path, limits, label, warnings_of(path, console)), {}};
   console.watch().lap(fmt::format("reading {}", name), file.mesh.triangles.size(), "triangles");
   console.stage(fmt::format("describing {}", name));
   try {

@@ -23,10 +23,12 @@ constexpr std::uint64_t kUntold = std::numeric_limits<std::uint64_t>::max();
 std::uint64_t free_on_machine() {
   std::ifstream info("/proc/meminfo");
   std::uint64_t sum = 0, kibibytes = 0;
+  bool is_told = false;  // old systems tell only what of the swap is free
   for (std::string name, rest; info >> name >> kibibytes && std::getline(info, rest);) {
+    is_told = is_told || name == "MemAvailable:";
     if (name == "MemAvailable:" || name == "SwapFree:") sum += kibibytes << 10;
   }
-  return sum > 0 ? sum : kUntold;
+  return is_told ? sum : kUntold;
 }
 
 /// The least that the control groups around this process allow, of either version.

@@ -47,7 +47,8 @@ int transfer_attributes(const AttributeTransfer& transfer, const std::string& on
   const bool forwards = transfer.direction == Direction::data_from_model;
   const StoredShape &from = forwards ? family.model : family.data, &to = forwards ? family.data : family.model;
   const Direction back = forwards ? Direction::model_from_data : Direction::data_from_model;
-  const Mesh receiver = onto.empty() ? stored_mesh(options, "", family, back) : read_mesh(onto, options.limits);
+  const Mesh receiver =
+      onto.empty() ? stored_mesh(options, "", family, back) : read_mesh(onto, options.limits, {}, warnings_of(onto, console));
   console.stage("laying the meshes onto each other");
   const std::string name = onto.empty() ? to.file : onto;
   const TransferredAttributes carried = transfer_attributes(transfer, match, {receiver, name}, {from.file, to.file});

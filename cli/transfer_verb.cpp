@@ -133,7 +133,7 @@ struct Carried {
 /// turned.
 Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const MatchedShape& shape, Direction direction,
                    Console& console) {
-  Mesh mesh = read_mesh(options.mesh, options.match.limits);
+  Mesh mesh = read_mesh(options.mesh, options.match.limits, {}, warnings_of(options.mesh, console));
   if (const auto wrong = misplaced(mesh, options.mesh, shape)) {
     if (wrong->explained) throw FileError(wrong->sentence);
     console.warn(wrong->sentence);

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import os
+import sys
 import warnings
 from collections.abc import Mapping
 from pathlib import Path
@@ -61,8 +62,16 @@ def _read(path: Path, label: int | None, most: dict[str, int]) -> Surface:
     with told_if_missing(path):
         vertices, faces, ras, told = _core.read(path, label, most)
     for sentence in told:
-        warnings.warn(f"{path.name}: {sentence}", UserWarning, stacklevel=4)  # of who describes or matches it
+        warnings.warn(f"{path.name}: {sentence}", UserWarning, stacklevel=_callers_level())
     return Surface(vertices, faces, path.name, ras)
+
+
+def _callers_level() -> int:
+    """How many calls above the one that asks the first lies which is not in this package."""
+    frame, level = sys._getframe(1), 1
+    while frame.f_back and Path(frame.f_code.co_filename).parent == Path(__file__).parent:
+        frame, level = frame.f_back, level + 1
+    return level
 
 
 def _rows(rows: Any, what: str, dtype: type) -> np.ndarray:

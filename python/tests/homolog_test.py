@@ -224,6 +224,7 @@ def test_what_of_a_file_is_left_out_is_told(tmp_path, bear):
     vertices, faces = bear
     lines = ["v {} {} {}".format(*x) for x in vertices] + ["f {} {} {}".format(*(t + 1)) for t in faces]
     (tmp_path / "a.obj").write_text("\n".join([*lines, "cstype bezier", "deg 1 1", "surf 0 1 0 1 1 2 3 4", "end", ""]))
-    with pytest.warns(UserWarning, match=r"a\.obj: 1 free-form surface \(surf\) is left out; make polygons") as told:
-        homolog.describe(tmp_path / "a.obj", **COARSE)
-    assert [warning.filename for warning in told] == [__file__]
+    for read in (homolog.describe, homolog.points):
+        with pytest.warns(UserWarning, match=r"a\.obj: 1 free-form surface \(surf\) is left out; make polygons") as told:
+            read(tmp_path / "a.obj", **COARSE)
+        assert [warning.filename for warning in told] == [__file__]

@@ -45,7 +45,8 @@ class ByDefault(Program):
         return done.returncode, done.stderr
 
     def machine(self, mebibytes, swap):
-        self.write("meminfo", f"MemTotal: 64000000 kB\nMemAvailable: {mebibytes << 10} kB\nSwapTotal: 9000000 kB\nSwapFree: {swap << 10} kB\n")
+        available = "" if mebibytes is None else f"MemAvailable: {mebibytes << 10} kB\n"
+        self.write("meminfo", f"MemTotal: 64000000 kB\n{available}SwapTotal: 9000000 kB\nSwapFree: {swap << 10} kB\n")
         return "mount --bind meminfo /proc/meminfo"
 
     def container(self, group, file, bytes_allowed):
@@ -55,14 +56,15 @@ class ByDefault(Program):
     def test_no_more_than_the_machine_has_free(self):
         self.assertEqual(self.run_where(self.machine(100, 0)), REFUSED)
         self.assertEqual(self.run_where(self.machine(50, 50)), REFUSED)
-        for mebibytes, swap in ((1000, 0), (0, 1000)):
+        for mebibytes, swap in ((1000, 0), (0, 1000), (None, 10)):  # the last machine does not tell
             self.assertEqual(self.run_where(self.machine(mebibytes, swap), words=COARSE), (0, ""))
 
     def test_no_more_than_the_container_may_have(self):
         with open("/proc/self/cgroup") as groups:
             controllers = {name for line in groups for name in line.split(":")[1].split(",")}
         versions = {"": ("", "memory.max"), "memory": ("/memory", "memory.limit_in_bytes")}
-        self.assertTrue(controllers & versions.keys())
+        if not controllers & versions.keys():
+            self.skipTest("no control group here counts memory")
         for version in controllers & versions.keys():
             with self.subTest(version):
                 self.assertEqual(self.run_where(*self.container(*versions[version], 100 << 20)), REFUSED)

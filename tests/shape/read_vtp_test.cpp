@@ -63,13 +63,21 @@ TEST_F(ReadVtp, PutsPiecesTogether) {
   EXPECT_EQ(mesh.triangles.back(), (std::array<std::uint32_t, 3>{8, 5, 9}));
 }
 
+// VTK writes what it knows of an array behind its numbers.
+TEST_F(ReadVtp, LeavesAloneWhatStandsBehindTheNumbers) {
+  const std::string text = vtk::vtp({.ascii = true}), end = "</DataArray>";
+  std::string informed = text;
+  informed.insert(informed.find(end), "<InformationKey name=\"L2_NORM_RANGE\" length=\"1\"><Value index=\"0\">7</Value></InformationKey>");
+  EXPECT_EQ(read("a.vtp", informed).vertices, read("b.vtp", text).vertices);
+}
+
 TEST_F(ReadVtp, RefusesWhatItDoesNotRead) {
   const std::string text = vtk::vtp({.ascii = true}), packed = vtk::vtp({false, true, false, true});
   expect_error("a.vtp", with(text, "PolyData", "ImageData"), "of the type ImageData, which is not read");
   expect_error("a.vtp", with(packed, "vtkZLib", "vtkLZ4"), "compressed by vtkLZ4DataCompressor");
   for (const char* more : {"0.5 <!-- half -->", "0&#46;5", "<![CDATA[0.5]]>"})
     expect_error("a.vtp", with(text, "0.5", more),
-                 "comments or characters in code stand among its numbers, which is not read; save it with");
+                 "comments, CDATA or character references stand among its numbers, which are not read; save it with");
   expect_error("a.vtp", with(text, "Float32", "String"), "'String' are not read");
   expect_error("a.vtp", "<?xml version=\"1.0\"?><Array Name=\"SPACE\"><VTKFile type=\"PolyData\"/></Array>", "no triangles");
 }

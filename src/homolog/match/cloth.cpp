@@ -30,9 +30,11 @@ double at_step(double first, double last, int step, int steps) {
 }
 
 // Nothing is drawn beyond the front, and little just before it. What lies beyond takes its share of the data all the same.
-void hold_back(Pull& pull, const Body& model, std::size_t node, double way) {
+void hold_back(Pull& pull, const Body& model, const Front& front) {
   constexpr double blurred = 0.1;
-  for (std::size_t i = 0; i < pull.masses.size(); ++i) pull.masses[i] *= std::clamp((1 - model.ways(i, node) / way) / blurred, 0.0, 1.0);
+  for (std::size_t i = 0; i < pull.masses.size(); ++i) {
+    pull.masses[i] *= std::clamp((1 - model.ways(i, front.node) / front.way) / blurred, 0.0, 1.0);
+  }
 }
 
 using Sparse = Eigen::SparseMatrix<double>;
@@ -92,13 +94,7 @@ Eigen::MatrixX3d right_side(const Cloth& cloth, const Edges& edges, const Draw& 
 ClothSchedule steps_of(const ClothSchedule& schedule, int begin, int end) {
   const auto reach = [&](int step) { return at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations); };
   const auto stiffness = [&](int step) { return at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations); };
-  ClothSchedule steps{end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1), schedule.give, schedule.front};
-  if (steps.front) {
-    const auto way = [&](int step) { return at_step(schedule.front->first_way, schedule.front->last_way, step, schedule.iterations); };
-    steps.front->first_way = way(begin);
-    steps.front->last_way = way(end - 1);
-  }
-  return steps;
+  return {end - begin, reach(begin), reach(end - 1), stiffness(begin), stiffness(end - 1), schedule.give, schedule.front};
 }
 
 Cloth lay_cloth(const Body& model, const ThinPlateSpline& data_from_model, Chirality chirality) {
@@ -138,9 +134,7 @@ void draw_cloth(Cloth& cloth, const Body& model, const std::vector<SurfaceSample
     const double reach = data_diagonal * at_step(schedule.first_reach, schedule.last_reach, step, schedule.iterations);
     const double stiffness = at_step(schedule.first_stiffness, schedule.last_stiffness, step, schedule.iterations);
     Pull pull = unbiased_pull(mapped_skin(cloth, model), model.skin_order, samples, reach, limbs.model);
-    if (const auto& front = schedule.front) {
-      hold_back(pull, model, front->node, at_step(front->first_way, front->last_way, step, schedule.iterations));
-    }
+    if (schedule.front) hold_back(pull, model, *schedule.front);
     const Draw draw = draw_of(cloth, pull, anchors, stiffness);
     system.diagonal() = laplacian.diagonal() + draw.mass(order);
     solver.factorize(system);

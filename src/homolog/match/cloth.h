@@ -38,10 +38,10 @@ struct LimbPlaces {
 /// Share of the measured stretch that the body's edges take over from one step to the next, so that limbs can get longer.
 inline constexpr double usual_give = 0.5;
 
-/// The part of the skin that is drawn: what lies within a way inside from a node, farther and farther. The rest follows stiffly.
+/// The part of the skin that is drawn: what lies within a way inside from a node. The rest follows stiffly.
 struct Front {
   std::size_t node;
-  double first_way, last_way;  ///< model units
+  double way;  ///< model units
 };
 
 /// From wide to narrow and from stiff to soft, in geometric steps; lengths in data diagonals.

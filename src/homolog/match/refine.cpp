@@ -2,6 +2,7 @@
 #include "homolog/match/refine.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "homolog/match/draw_onto.h"
@@ -20,8 +21,9 @@ namespace homolog {
 namespace {
 
 constexpr int last_steps = 14;
-constexpr ClothSchedule outward_draw{10, 0.05, 0.05, 0.3, 0.3};
-constexpr double first_front = 0.45, last_front = 1.05;  // of the longest way from the node: the region that lies well comes first
+constexpr ClothSchedule outward_step{1, 0.05, 0.05, 0.3, 0.3};
+constexpr int outward_steps = 10;
+constexpr double first_front = 0.45, last_front = 1.05;  // of the longest way from the node; at an end, first the region that was laid
 constexpr ClothSchedule next_draw{8, 0.03, 0.015, 0.7, 0.2};
 constexpr ClothSchedule limb_draw{10, 0.08, 0.02, 0.7, 0.2};
 constexpr ClothSchedule unstretched_draw{14, 0.03, 0.03, 2.8, 2.8, 0};
@@ -47,11 +49,11 @@ double bending_of(const CorrespondenceSet& pairs, Chirality chirality, double mo
 
 // What bends at a joint is brought on to the data by what lies before the joint. At each step it may come near other samples.
 void draw_outwards(Cloth& cloth, std::size_t node, const Shape& model, const Shape& data) {
-  const double longest = longest_way_from(model.body, node);
-  ClothSchedule schedule = outward_draw;
-  schedule.front = Front{node, first_front * longest, last_front * longest};
-  for (int step = 0; step < schedule.iterations; ++step) {
-    draw_onto(cloth, model, data, {}, steps_of(schedule, step, step + 1), data_samples);
+  const double first = first_front * longest_way_from(model.body, node), growth = last_front / first_front;
+  ClothSchedule schedule = outward_step;
+  for (int step = 0; step < outward_steps; ++step) {
+    schedule.front = Front{node, first * std::pow(growth, static_cast<double>(step) / (outward_steps - 1))};
+    draw_onto(cloth, model, data, {}, schedule, data_samples);
   }
 }
 

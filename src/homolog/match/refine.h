@@ -20,7 +20,7 @@ struct Refined {
 /// Steps of the first draw.
 inline constexpr int first_steps = 12;
 
-/// Lays the set by its spline, and draws it outwards if it is a start from a region.
+/// Lays the set by its spline, and draws it outwards if it says from where.
 Refined lay_set(const GrownSet& set, const Shape& model, const Shape& data);
 
 /// Draws it on to the data by some of the first steps, from `begin` up to `end`, and weighs it.

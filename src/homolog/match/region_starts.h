@@ -18,7 +18,7 @@ std::vector<GrownSet> region_starts(const std::vector<Region>& regions, const Sh
                                     std::size_t most);
 
 /// The same for regions of the model, which may lie as they are where the rest is bent otherwise: such a start is drawn on to the data from
-/// the middle of its region outwards.
+/// the middle of its region outwards. None that makes the model so large that it is no part of the data.
 std::vector<GrownSet> outward_starts(const std::vector<Region>& regions, const Shape& model, const Shape& data, Chirality chirality,
                                      std::size_t most);
 

@@ -7,7 +7,7 @@
 namespace homolog {
 namespace {
 
-constexpr std::size_t asked = 40;          // samples, for the longest way
+constexpr std::size_t asked = 40;          // samples; ends lie near one of so many
 constexpr std::size_t least_samples = 24;  // fewer show no form
 constexpr double most_share = 0.85;        // of the skin; more is the whole, which has starts of its own
 

@@ -20,7 +20,7 @@ struct Region {
 /// The longest finite way inside from a node to the skin.
 double longest_way_from(const Body& body, std::size_t node);
 
-/// The longest one from any of the first 40 samples of the skin, which are even.
+/// The longest one from any of the first samples of the skin, which are even.
 double longest_way(const Body& body);
 
 /// The regions about each of the first `centres` samples, which reach as far as each of `reaches`, shares of the longest way. None that is

@@ -89,7 +89,7 @@ std::string decoded_base64(std::string_view text, const GltfFile& file) {
   return bytes;
 }
 
-/// What is compressed stands for no bytes of its own.
+/// A buffer without a file may only stand for what compressed data would give (EXT_meshopt_compression).
 void refuse_compressed(const GltfFile& file, const json& buffer) {
   const auto extensions = buffer.find("extensions");
   if (extensions == buffer.end() || !extensions->is_object()) return;

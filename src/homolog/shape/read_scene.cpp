@@ -119,7 +119,7 @@ std::size_t hidden_in(std::string_view content, const std::string& format) {
   if (format == "ac")
     for (const char* line : {"\nhidden\n", "\nhidden\r"}) count(line);
   if (format == "dae")
-    for (const char* value : {"<visibility>0", "<visibility>false"}) count(value);
+    for (const char* value : {"<visibility>0<", "<visibility>false<"}) count(value);
   return hidden;
 }
 

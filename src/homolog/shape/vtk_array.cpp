@@ -79,18 +79,21 @@ std::string take_compressed(Bytes& bytes, std::size_t wanted, const VtkStorage& 
   return content;
 }
 
+/// Behind the numbers there may be more, such as what VTK knows of an array (InformationKey).
 std::vector<double> read_text(std::string_view text, std::size_t count, const VtkStorage& storage) {
-  if (text.find_first_of("<&") != text.npos) {
-    throw FileError(fmt::format("{}: comments or characters in code stand among its numbers, which is not read; save it with binary data",
-                                storage.file));
-  }
   if (count > text.size() / 2 + 1) fail(storage, "an array is longer than the file");
-  Text rest{storage.file, text};
+  const std::string_view plain = text.substr(0, text.find_first_of("<&"));
+  Text rest{storage.file, plain};
   std::string_view line;
   std::vector<double> numbers;
   while (numbers.size() < count) {
     while (line.find_first_not_of(" \t\r") == std::string_view::npos) {
-      if (!next_line(rest, line)) fail(storage, "an array has fewer numbers than it must have");
+      if (next_line(rest, line)) continue;
+      if (plain.size() == text.size()) fail(storage, "an array has fewer numbers than it must have");
+      throw FileError(
+          fmt::format("{}: comments, CDATA or character references stand among its numbers, which are not read; save it with "
+                      "binary data",
+                      storage.file));
     }
     numbers.push_back(take_number(rest, line, "what stands in an array"));
   }
