@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The program `homolog`: reads the command line, runs one verb, and turns every error into one sentence and an exit code.
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -132,7 +134,16 @@ int run(int argc, char** argv) {
   throw UsageError("say what to do: match, symmetry, points, transfer, dense, morph or params; 'homolog --help' tells more");
 }
 
+// Memory ends for all threads at once: the first one tells it, the others wait for the end of the process.
+void claim_the_end() {
+  static std::atomic_flag claimed;
+  thread_local bool is_ours = false;
+  while (!is_ours && claimed.test_and_set()) pause();
+  is_ours = true;
+}
+
 int report(int code, const std::string& sentence) {
+  claim_the_end();
   print_message(sentence);
   return code;
 }
@@ -144,6 +155,7 @@ constexpr const char* kNoMemory = "not enough memory for this; a lower --resolut
   try {
     if (const std::exception_ptr error = std::current_exception()) std::rethrow_exception(error);
   } catch (const std::bad_alloc&) {
+    claim_the_end();
     std::fprintf(stderr, "homolog: %s\n", kNoMemory);  // which takes no memory
     std::_Exit(kUnusableShape);
   } catch (...) {
