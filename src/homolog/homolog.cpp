@@ -59,8 +59,9 @@ std::vector<GrownSet> grow_all(const std::vector<Seed>& seeds, const Corresponde
     add(grow_seeds(seeds, chirality, candidates, model, params));
     add(axis_starts(model, data, chirality, axis_starts_of_a_chirality));
     add(end_starts(ends, model, data, chirality, end_starts_of_a_chirality));
-    add(region_starts(regions, model, data, chirality, region_starts_of_a_chirality));
-    add(outward_starts(regions, model, data, chirality, outward_starts_of_a_chirality));
+    const double on_whole = distance_on_whole(model, data, chirality);  // what lies worse on a region is no part that lies there
+    add(region_starts(regions, model, chirality, on_whole, region_starts_of_a_chirality));
+    add(outward_starts(regions, model, data, chirality, on_whole, outward_starts_of_a_chirality));
   }
   return sets;
 }

@@ -25,7 +25,8 @@ TEST(RegionStarts, OneOfThemLaysAPartOnTheWholeFromAnyTurnAndSize) {
     const Move move{rotation, 7, {5, -3, 70}};
     const Shape data = described(moved(quadruped(), move));
     const Chirality chirality = rotation.determinant() > 0 ? Chirality::proper : Chirality::mirrored;
-    const std::vector<GrownSet> starts = region_starts(regions_to_lay_on(data.body), part, data, chirality, 12);
+    const std::vector<GrownSet> starts =
+        region_starts(regions_to_lay_on(data.body), part, chirality, distance_on_whole(part, data, chirality), 12);
     ASSERT_FALSE(starts.empty());
     EXPECT_LE(starts.size(), 12u);
     double least = 1;
@@ -49,7 +50,8 @@ TEST(RegionStarts, OutwardOnesLayTheirRegionThoughTheRestIsBent) {
   Mesh mesh = mesh_of(quadruped(), 64);
   for (Vec3& v : mesh.vertices) v = bent(v);
   const Shape data = describe_shape(mesh, coarse());
-  const std::vector<GrownSet> starts = outward_starts(regions_to_lay_on(data.body), part, data, Chirality::proper, 12);
+  const std::vector<GrownSet> starts =
+      outward_starts(regions_to_lay_on(data.body), part, data, Chirality::proper, distance_on_whole(part, data, Chirality::proper), 12);
   double least = 1;
   for (const GrownSet& start : starts) {
     ASSERT_TRUE(start.drawn_from);
@@ -65,7 +67,9 @@ TEST(RegionStarts, OutwardOnesLayTheirRegionThoughTheRestIsBent) {
 
 TEST(RegionStarts, AreDifferent) {
   const Shape data = described(quadruped());
-  const std::vector<GrownSet> starts = region_starts(regions_to_lay_on(data.body), foreparts(), data, Chirality::proper, 12);
+  const Shape part = foreparts();
+  const double on_whole = distance_on_whole(part, data, Chirality::proper);
+  const std::vector<GrownSet> starts = region_starts(regions_to_lay_on(data.body), part, Chirality::proper, on_whole, 12);
   for (std::size_t a = 0; a < starts.size(); ++a) {
     for (std::size_t b = 0; b < a; ++b) EXPECT_GT((starts[a].spline.affine - starts[b].spline.affine).norm(), 0.05);
   }
@@ -73,8 +77,9 @@ TEST(RegionStarts, AreDifferent) {
 
 TEST(RegionStarts, WithoutSkinThereIsNone) {
   const Shape empty = bare_shape({});
-  EXPECT_TRUE(region_starts({}, empty, empty, Chirality::proper, 12).empty());
-  EXPECT_TRUE(outward_starts({}, empty, empty, Chirality::proper, 12).empty());
+  const double on_whole = distance_on_whole(empty, empty, Chirality::proper);
+  EXPECT_TRUE(region_starts({}, empty, Chirality::proper, on_whole, 12).empty());
+  EXPECT_TRUE(outward_starts({}, empty, empty, Chirality::proper, on_whole, 12).empty());
 }
 
 }  // namespace

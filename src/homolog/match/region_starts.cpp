@@ -2,6 +2,7 @@
 #include "homolog/match/region_starts.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "homolog/base/distinct.h"
 #include "homolog/base/parallel.h"
@@ -55,22 +56,21 @@ std::vector<Way> settled_ways(const std::vector<Region>& model, const std::vecto
   return ways;
 }
 
-// Of the whole model, laid best on the whole data.
-double distance_on_whole(const AxisSkin& model, const Shape& data, Chirality chirality) {
-  return ways_to_lay(model, axis_skin(data.surface, data.diagonal), chirality, 1)[0].distance;
-}
-
 }  // namespace
 
 std::vector<Region> regions_to_lay_on(const Body& data) { return regions_of(data, centres, reaches); }
 
-std::vector<GrownSet> region_starts(const std::vector<Region>& regions, const Shape& model, const Shape& data, Chirality chirality,
+double distance_on_whole(const Shape& model, const Shape& data, Chirality chirality) {
+  if (model.surface.empty() || data.surface.empty()) return std::numeric_limits<double>::infinity();
+  return ways_to_lay(axis_skin(model.surface, model.diagonal), axis_skin(data.surface, data.diagonal), chirality, 1)[0].distance;
+}
+
+std::vector<GrownSet> region_starts(const std::vector<Region>& regions, const Shape& model, Chirality chirality, double farthest,
                                     std::size_t most) {
-  if (model.surface.empty() || data.surface.empty()) return {};
+  if (model.surface.empty()) return {};
   const std::vector<Region> whole{{0, axis_skin(model.surface, model.diagonal)}};
   const AxisSkin& skin = whole[0].skin;
-  std::vector<Way> ways = settled_ways(whole, regions, chirality, settled, distance_on_whole(skin, data, chirality),
-                                       [](const Region&, const Region&) { return true; });
+  std::vector<Way> ways = settled_ways(whole, regions, chirality, settled, farthest, [](const Region&, const Region&) { return true; });
   ways = distinct(std::move(ways), most, [&](const Way& x, const Way& kept) {
     return same_start(x.laid.similarity, kept.laid.similarity, skin, kept.onto->skin.diagonal);
   });
@@ -80,8 +80,8 @@ std::vector<GrownSet> region_starts(const std::vector<Region>& regions, const Sh
 }
 
 std::vector<GrownSet> outward_starts(const std::vector<Region>& regions, const Shape& model, const Shape& data, Chirality chirality,
-                                     std::size_t most) {
-  if (model.surface.empty() || data.surface.empty()) return {};
+                                     double farthest, std::size_t most) {
+  if (model.surface.empty()) return {};
   const std::vector<Region> of_model = regions_of(model.body, model_centres, model_reaches);
   const double longer = longest_way(model.body) / longest_way(data.body);
   const auto may_lie = [&](const Region& from, const Region& onto) {
@@ -89,7 +89,7 @@ std::vector<GrownSet> outward_starts(const std::vector<Region>& regions, const S
     return least_whole < whole && whole < most_whole;
   };
   const AxisSkin skin = axis_skin(model.surface, model.diagonal);
-  std::vector<Way> ways = settled_ways(of_model, regions, chirality, settled_outward, distance_on_whole(skin, data, chirality), may_lie);
+  std::vector<Way> ways = settled_ways(of_model, regions, chirality, settled_outward, farthest, may_lie);
   ways = distinct(std::move(ways), most, [&](const Way& x, const Way& kept) {
     return same_start(x.laid.similarity, kept.laid.similarity, skin, kept.laid.similarity.scale * model.diagonal);
   });

@@ -154,7 +154,7 @@ Mesh read_scene(std::string_view content, const std::string& format, const std::
   ChildLimits limits;
   limits.seconds += static_cast<unsigned>(content.size() / bytes_a_second);
   Mesh mesh = read_in_child([&] { return read_by_assimp(content, format, file); }, file, limits);
-  if (const std::size_t hidden = hidden_in(content, format); hidden > 0 && tell)
+  if (const std::size_t hidden = tell ? hidden_in(content, format) : 0; hidden > 0)
     tell(fmt::format("{} hidden object{} read like the others; delete what does not belong to the shape", hidden,
                      hidden == 1 ? " is" : "s are"));
   return mesh;
