@@ -45,6 +45,7 @@ accuracy "Other kinds, made by chance" kinds "$rows/kinds"
 for task in whole mirror part scene; do
   accuracy "Generated cases: $task" "generated_$task" --generate "${meshes[@]}" --only "$task"
 done
+accuracy "Generated cases by the paper's choices" paper_generated --generate "${meshes[@]}" --preset paper
 accuracy "Generated cases: heaps of pieces that share nothing" strangers --generate "${meshes[@]}" --only unrelated --strangers 15
 told "Carried points" "$bench/bench_transfer" "$folder"
 told "Dense maps" "$bench/bench_dense" "$folder"
