@@ -2,11 +2,12 @@
 # Measures all of docs/accuracy.md in one run and prints docs/accuracy_output.md; some 90 minutes on two cores. Rows of every run lie in
 # build/accuracy. Progress goes to stderr.
 #   bench/measure_accuracy.sh FOLDER >docs/accuracy_output.md      FOLDER: pairs.tsv, its shapes and truth (bench/README.md)
+#   bench/measure_accuracy.sh FOLDER 'Dense|Carried'               only the sections whose titles match
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 folder=$(realpath -e "${1:?measure_accuracy: give the folder of pairs.tsv}")
-bench=build/release/bench rows=build/accuracy
+only=${2:-.} bench=build/release/bench rows=build/accuracy
 mkdir -p "$rows"
 
 # Every second whole model of the list, once, is what cases are made of.
@@ -19,6 +20,7 @@ named=$(printf '%s, ' "${models[@]}")
 told() {
   local title=$1 shown
   shift
+  [[ $title =~ $only ]] || return 0
   echo "measure_accuracy: $title" >&2
   shown=$(sed -E "s|( --mesh [^ ]+)+| --mesh MESH...|; s|$folder|FOLDER|g; s|$rows/||g; s|$bench/||g" <<<"$*")
   printf '\n## %s\n\n`%s`\n\n```\n' "$title" "$shown"

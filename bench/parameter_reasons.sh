@@ -12,7 +12,7 @@ ln -s "$folder"/*/ "$rows/few/"
 awk 'NR % 6 == 1' "$folder/pairs.tsv" >"$rows/few/pairs.tsv"
 
 others=(
-  resolution={160,320} sigma0={1.2,2.2} levels-per-octave={2,5} threshold={0.38,0.52} direction-radius={1.4,3} direction-min={0.05,0.25}
+  resolution={160,320} thicken=0.005 sigma0={1.2,2.2} levels-per-octave={2,5} threshold={0.38,0.52} direction-radius={1.4,3} direction-min={0.05,0.25}
   descriptor=axial shells=linear shell-count={5,12} degree={5,12} inner={0.35,0.7} outer={5,12} searched-points={50,200} partners={5,20}
   bending={0.006,0.04} mirror=forbid seeds=quadruples
 )
