@@ -23,7 +23,7 @@ std::optional<MeshedMatch> lay_meshed_match(const MeshedMatchOptions& options, C
   const MatchMap& match = chosen_match(read.family, options.match);
   read.model = matched_mesh(options.match, options.model, read.family, match, Direction::data_from_model);
   read.data = matched_mesh(options.match, options.data, read.family, match, Direction::model_from_data);
-  warn_of_unknown_parts(read.family, console);
+  warn_of_doubt(read.family, match, console);
   console.watch().lap("reading match and meshes", read.model.triangles.size() + read.data.triangles.size(), "triangles");
   console.stage("laying the meshes onto each other");
   read.maps = dense_maps(match, read.model, read.data);

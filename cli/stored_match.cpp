@@ -8,6 +8,7 @@
 
 #include "exit_codes.h"
 #include "homolog/base/errors.h"
+#include "homolog/outputs/doubt.h"
 #include "homolog/outputs/misplaced.h"
 #include "homolog/shape/read_mesh.h"
 #include "input_limits.h"
@@ -52,8 +53,9 @@ const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOption
   return family.matches[static_cast<std::size_t>(options.number - 1)];
 }
 
-void warn_of_unknown_parts(const StoredFamily& family, Console& console) {
-  if (!family.parts_known) console.warn("no parts.json stands beside the match, so only distance tells which part is covered");
+void warn_of_doubt(const StoredFamily& family, const MatchMap& match, Console& console) {
+  if (!family.parts_known) console.warn("no parts.json stands beside the match, so nothing is known to lie outside the covered part");
+  if (const std::string doubt = doubt_of_match(match.confidence); !doubt.empty()) console.warn(doubt);
 }
 
 Mesh stored_mesh(const StoredMatchOptions& options, const std::string& given, const StoredFamily& family, Direction direction) {

@@ -31,8 +31,8 @@ std::optional<StoredFamily> read_matches(const StoredMatchOptions& options);
 /// The one that is asked for. Throws UsageError when there are fewer; the family holds at least one.
 const MatchMap& chosen_match(const StoredFamily& family, const StoredMatchOptions& options);
 
-/// Without parts.json only distance tells which part is covered.
-void warn_of_unknown_parts(const StoredFamily& family, Console& console);
+/// Warns where there is no parts.json, so that no place is known to lie outside the covered part, and of a match that is hardly right.
+void warn_of_doubt(const StoredFamily& family, const MatchMap& match, Console& console);
 
 /// The mesh that was matched and that `direction` carries from: `given` if that is not empty, else the file in the folder of the match.
 /// Throws FileError, also for the other shape's file, and for a mesh that has not as many vertices as the one that was matched.

@@ -56,8 +56,9 @@ constexpr const char* kExamples = R"(Examples:
 
 A point outside the part that the match covers is missing: its row stays, without coordinates ("undefined" in .mrk.json, NA in .tps and .txt,
 9999 in .pts). Which part that is stands in parts.json beside match.json. Points of .mrk.json and .fcsv are taken to LPS, whichever system
-the file states, or to RAS where the mesh was saved so by 3D Slicer (SPACE=RAS). expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. In
-a .ply it is a property of the vertices beside quality, how surely they are covered.
+the file states, or to RAS where the mesh was saved so by 3D Slicer (SPACE=RAS). expected_error, in the unit of the shape carried to: true errors are larger as often as smaller, if the match is right. It
+stands in a column of .csv beside coverage, in the descriptions of .mrk.json, and in a .ply as a property of the vertices beside quality, how
+surely they are covered; .tps, .pts and .txt hold places alone.
 
 --attributes looks up every vertex of the receiving mesh on the painted one ('homolog dense'): colours and values lie between those of the
 triangle's corners, a label is the nearest corner's, and a triangle lies on the UV island that its middle lies on, so seams stay seams. What
@@ -123,10 +124,24 @@ std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::v
   return landmarks;
 }
 
-/// What was carried, as text for the file, and how many of how many are there; missing ones were so in the file carried from.
+/// What was carried, as text for the file, and how many of how many are there; missing ones were so in the file carried from, and for
+/// folded ones the map has no inverse.
 struct Carried {
   std::string text;
-  std::size_t there = 0, all = 0, missing = 0;
+  std::size_t there = 0, all = 0, missing = 0, folded = 0;
+
+  void count(const std::optional<CarriedPoint>& point) {
+    ++all;
+    there += point && point->is_there();
+    missing += !point;
+    folded += point && point->is_covered() && !point->exact;
+  }
+
+  std::string told(const char* what, const std::string& from, const std::string& to) const {
+    const auto others = [](std::size_t n, const char* why) { return n > 0 ? fmt::format(", {} {}", n, why) : ""; };
+    return fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}{}\n", there, all, what, from, to,
+                       all - there - missing - folded, others(folded, "where the map folds"), others(missing, "missing before"));
+  }
 };
 
 /// A mesh need not be the one that was matched: one of what lies inside or beside it is carried, too, but not one that is known to be
@@ -138,24 +153,21 @@ Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const 
     if (wrong->explained) throw FileError(wrong->sentence);
     console.warn(wrong->sentence);
   }
-  Carried result;
   const std::vector<CarriedPoint> vertices = carry_points(match, mesh.vertices, direction);
   check_finite(vertices, false, options.mesh, options.match.file);
-  for (const CarriedPoint& vertex : vertices) result.there += vertex.is_there();
   mesh.triangles = carried_triangles(match, mesh);
-  return {carried_ply(mesh, vertices), result.there, vertices.size()};
+  Carried result{carried_ply(mesh, vertices)};
+  for (const CarriedPoint& vertex : vertices) result.count(vertex);
+  return result;
 }
 
-void warn_of_far_points(const std::vector<MarkupPoint>& points, const std::string& file, const MatchedShape& shape, Console& console) {
+void warn_of_misplaced_points(const std::vector<MarkupPoint>& points, const std::string& file, const MatchedShape& shape,
+                              Console& console) {
   std::vector<Vec3> places;
   for (const MarkupPoint& point : points) {
     if (point.position) places.push_back(*point.position);
   }
-  const std::size_t far = count_far(places, shape);
-  if (2 * far <= places.size()) return;
-  console.warn(
-      fmt::format("{} of {} points of {} are farther from {} than a fifth of its diagonal; are they in its coordinates and its unit?", far,
-                  places.size(), file, shape.name));
+  if (const std::string asked = misplaced_points(places, file, shape); !asked.empty()) console.warn(asked);
 }
 
 Carried carry_file(const MatchMap& match, const TransferOptions& options, const StoredShape& from, const StoredShape& to,
@@ -164,14 +176,11 @@ Carried carry_file(const MatchMap& match, const TransferOptions& options, const 
   if (!options.mesh.empty()) return carry_mesh(match, options, shape, direction, console);
   const std::vector<MarkupPoint> points = read_points(options.points, options.specimen, from.ras);
   if (points.empty()) throw FileError(fmt::format("{}: it holds no points; name the file with the landmarks to carry", options.points));
-  warn_of_far_points(points, options.points, shape, console);
+  warn_of_misplaced_points(points, options.points, shape, console);
   const auto landmarks = carry_landmarks(match, points, direction, options);
   const std::string specimen = std::filesystem::path(to.file).stem().string();
-  Carried result{points_text(landmarks, options.out, specimen, to.ras, lists_of(options, console)), 0, landmarks.size()};
-  for (const CarriedLandmark& landmark : landmarks) {
-    result.there += landmark.point && landmark.point->is_there();
-    result.missing += !landmark.point;
-  }
+  Carried result{points_text(landmarks, options.out, specimen, to.ras, lists_of(options, console))};
+  for (const CarriedLandmark& landmark : landmarks) result.count(landmark.point);
   return result;
 }
 
@@ -190,8 +199,8 @@ int run_transfer(const TransferOptions& options) {
   const std::optional<StoredFamily> found = read_matches(options.match);
   if (!found) return kNothingFound;
   const StoredFamily& family = *found;
-  warn_of_unknown_parts(family, console);
   const MatchMap& match = chosen_match(family, options.match);
+  warn_of_doubt(family, match, console);
   console.watch().lap("reading the match", family.matches.size(), "matches");
   const Direction direction = options.inverse ? Direction::model_from_data : Direction::data_from_model;
   if (const AttributeOptions& given = options.attributes; !given.from.empty()) {
@@ -206,9 +215,7 @@ int run_transfer(const TransferOptions& options) {
   write_files(std::vector<OutputFile>{{options.out, carried.text}}, files_of(options));
   console.watch().lap("writing results", carried.text.size(), "bytes");
   console.clear();
-  print_result(fmt::format("{} of {} {} carried from {} to {}; {} outside the covered part{}\n", carried.there, carried.all,
-                           options.mesh.empty() ? "points" : "vertices", from.file, to.file, carried.all - carried.there - carried.missing,
-                           carried.missing > 0 ? fmt::format(", {} missing before", carried.missing) : ""));
+  print_result(carried.told(options.mesh.empty() ? "points" : "vertices", from.file, to.file));
   if (carried.there > 0) return kFound;
   print_message(fmt::format("nothing found: no point lies in the part that match {} covers; are the points those of {}?",
                             options.match.number, from.file));

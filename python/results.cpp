@@ -101,23 +101,34 @@ nb::dict carry(const MatchMap& map, const Places& points, bool to_data) {
 
 // A map as plain arrays, for pickle.
 using SplineState = std::tuple<bool, Places, Places, Affine>;
-using SamplesState = std::pair<Places, Weights>;
+using SamplesState = std::tuple<Places, Weights, Places>;
 using KnownState = std::pair<Places, std::vector<double>>;
-using MapState = std::tuple<SplineState, KnownState, double, Mat4, double, double, double, SamplesState, SamplesState>;
+using MapState = std::tuple<SplineState, KnownState, double, Mat4, double, double, double, double, SamplesState, SamplesState>;
 
 SplineState state_of(const ThinPlateSpline& spline) {
   return {spline.kernel == Kernel::r3, places_of(spline.centres), places_of(spline.weights), spline.affine};
 }
-SamplesState state_of(const CoveredSamples& samples) { return {places_of(samples.positions), weights_of(samples.weights)}; }
+SamplesState state_of(const CoveredSamples& samples) {
+  const auto& box = samples.box;
+  return {places_of(samples.positions), weights_of(samples.weights),
+          places_of(box ? std::vector{box->min, box->max} : std::vector<Vec3>{})};
+}
 KnownState state_of(const std::vector<KnownPlace>& known) {
   std::vector<double> confidences;
   for (const KnownPlace& place : known) confidences.push_back(place.confidence);
   return {places_of(known, [](const KnownPlace& place) { return place.position; }), confidences};
 }
 MapState state_of(const MatchMap& map) {
-  return {
-      state_of(map.data_from_model), state_of(map.known), map.scale, map.similarity, map.model_diagonal, map.data_diagonal, map.thickness,
-      state_of(map.model),           state_of(map.data)};
+  return {state_of(map.data_from_model),
+          state_of(map.known),
+          map.scale,
+          map.similarity,
+          map.model_diagonal,
+          map.data_diagonal,
+          map.thickness,
+          map.confidence,
+          state_of(map.model),
+          state_of(map.data)};
 }
 
 ThinPlateSpline spline_of(const SplineState& state) {
@@ -129,7 +140,11 @@ ThinPlateSpline spline_of(const SplineState& state) {
   return spline;
 }
 CoveredSamples samples_of(const SamplesState& state) {
-  return {vectors_of(state.first), {state.second.data(), state.second.data() + state.second.size()}};
+  const auto& [positions, weights, box] = state;
+  const std::vector<Vec3> ends = vectors_of(box);
+  return {vectors_of(positions),
+          {weights.data(), weights.data() + weights.size()},
+          ends.empty() ? std::nullopt : std::optional(Box{ends.at(0), ends.at(1)})};
 }
 std::vector<KnownPlace> known_of(const KnownState& state) {
   std::vector<KnownPlace> known;
@@ -137,9 +152,9 @@ std::vector<KnownPlace> known_of(const KnownState& state) {
   return known;
 }
 MatchMap map_of(const MapState& state) {
-  const auto& [spline, known, scale, similarity, model_diagonal, data_diagonal, thickness, model, data] = state;
-  return {spline_of(spline), known_of(known),   scale,           similarity, model_diagonal, data_diagonal,
-          thickness,         samples_of(model), samples_of(data)};
+  const auto& [spline, known, scale, similarity, model_diagonal, data_diagonal, thickness, confidence, model, data] = state;
+  return {spline_of(spline), known_of(known), scale,      similarity,        model_diagonal,
+          data_diagonal,     thickness,       confidence, samples_of(model), samples_of(data)};
 }
 
 }  // namespace

@@ -287,7 +287,7 @@ class Transfer(Program):
         done = self.run_it("transfer", "out/match.json", "--points", "far.csv", "--out", "a.csv")
         self.assertEqual(done.returncode, 1)
         self.assertIn("are the points those of bear.off?", done.stderr)
-        self.assertIn("warning: 1 of 1 points of far.csv are farther from bear.off than a fifth of its diagonal", done.stderr)
+        self.assertIn("warning: 1 of 1 points of far.csv are farther from bear.off than a tenth of its diagonal", done.stderr)
         os.remove(self.path("out", "parts.json"))
         done = self.run_it("transfer", "out/match.json", "--points", "points.csv", "--out", "a.csv")
         self.assertEqual(done.returncode, 0)

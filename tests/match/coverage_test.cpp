@@ -74,6 +74,10 @@ TEST(CoveredParts, EndWithinAVoxelWhereThePartInUseEnds) {
     EXPECT_EQ(parts.model.vertices[i], beyond < 0 ? 1 : 0) << beyond;
     EXPECT_EQ(parts.data.vertices[i], beyond < 0 ? 1 : 0) << beyond;
   }
+  ASSERT_TRUE(parts.model.box);
+  EXPECT_NEAR(parts.model.box->min.x(), border, voxel);
+  EXPECT_NEAR(parts.model.box->max.x(), whole.max.x(), voxel);
+  EXPECT_FALSE(parts.data.box) << "all of it was described";
 }
 
 TEST(CoveredParts, EndWithinAVoxelWhereAPieceIsCutOffAndLeaveTheCutOut) {

@@ -92,6 +92,17 @@ TEST(CarryPoints, TellsWhatIsOutsideTheCoveredPart) {
   EXPECT_EQ(carried[1].coverage.value(), 0);
 }
 
+TEST(CarryPoints, CoversNothingOutsideTheBoxOfWhatWasDescribed) {
+  const Vec3 inside(-0.5, 0.3, 0.2), beyond = inside + Vec3(0, 0.01, 0);
+  MatchMap cut = match;
+  cut.model.box = Box{Vec3(-1, -1, -1), Vec3(1, 0.305, 1)};
+  const auto whole = carry_points(match, {inside, beyond}, Direction::data_from_model),
+             carried = carry_points(cut, {inside, beyond}, Direction::data_from_model);
+  EXPECT_TRUE(whole[0].is_there() && whole[1].is_there());
+  EXPECT_EQ(carried[0].coverage, whole[0].coverage);
+  EXPECT_EQ(carried[1].coverage.value(), 0);
+}
+
 TEST(CarryPoints, WithoutSamplesSaysNothingOfCoverage) {
   MatchMap bare = match;
   bare.model = {};

@@ -54,6 +54,7 @@ TEST(CarriedPlaces, MarksMissingPointsAsUndefined) {
     EXPECT_FALSE(points[i].contains("position"));
   }
   EXPECT_EQ(points[1]["description"], "outside the covered part, coverage 0.125");
+  EXPECT_EQ(points[2]["description"], "the map folds here, coverage 1.000");
   EXPECT_EQ(points[4]["description"], "expected error 0.5");
 }
 
@@ -63,6 +64,7 @@ TEST(CarriedPlaces, KeepWhatTheirFileSaysOfThem) {
   EXPECT_EQ(described("the tip; of the left one"), "the tip; of the left one; expected error 0.25, coverage 0.750");
   EXPECT_EQ(described("the tip; expected error 3, coverage 0.1"), "the tip; expected error 0.25, coverage 0.750") << "not twice";
   EXPECT_EQ(described("outside the covered part"), "expected error 0.25, coverage 0.750");
+  EXPECT_EQ(described("the map folds here, coverage 1.000"), "expected error 0.25, coverage 0.750");
   const MarkupDisplay display = carried_places({{"nose", point, "", {false, true, false}}})[0].display;
   EXPECT_FALSE(display.selected);
   EXPECT_TRUE(display.locked);

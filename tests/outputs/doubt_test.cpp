@@ -18,6 +18,11 @@ TEST(Doubt, IsSaidWhenEveryMatchIsMoreProbablyWrongThanRight) {
   EXPECT_EQ(doubt_sentence(family_of({0.9, 0.1})), "");
 }
 
+TEST(Doubt, IsSaidOfOneMatchByItsConfidence) {
+  EXPECT_EQ(doubt_of_match(0.123), "this match is more likely wrong than right: its confidence is 0.12");
+  EXPECT_EQ(doubt_of_match(0.5), "");
+}
+
 TEST(Doubt, IsNotSaidWhereNothingWasFound) { EXPECT_EQ(doubt_sentence({}), ""); }
 
 }  // namespace

@@ -67,12 +67,23 @@ TEST(Misplaced, TellsASmallPartFromTheWholeInAnotherUnit) {
 
 TEST(Misplaced, SaysNothingWhereTheShapeIsNotKnown) {
   EXPECT_FALSE(in_place(meshes::box(Vec3(1e6, 0, 0), Vec3(2e6, 1, 1)), {}));
-  EXPECT_EQ(count_far({Vec3(1e6, 0, 0)}, {"a", {}, 1}), 0u);
+  EXPECT_EQ(misplaced_points({Vec3(1e6, 0, 0)}, "given.csv", {"a", {}, 1}), "");
 }
 
-TEST(Misplaced, CountsPointsThatNoCarryingReaches) {
-  const Vec3 tip = samples().positions[0], off = tip + Vec3(0.1, 0, 0) * fixtures::described_hand().diagonal;
-  EXPECT_EQ(count_far({tip, off, 100 * tip + Vec3(100, 0, 0)}, {"hand.off", samples(), fixtures::described_hand().diagonal}), 1u);
+TEST(MisplacedPoints, AreMostlyFarOrAllInOnePlace) {
+  const double diagonal = fixtures::described_hand().diagonal;
+  const auto asked = [&](const std::vector<Vec3>& points) {
+    return misplaced_points(points, "given.csv", {"hand.off", samples(), diagonal});
+  };
+  const Vec3 tip = samples().positions[0], other = samples().positions[1], far = 100 * tip + Vec3(100, 0, 0);
+  EXPECT_EQ(asked({}), "");
+  EXPECT_EQ(asked({tip, far}), "");
+  EXPECT_EQ(asked({tip, far, far}),
+            "2 of 3 points of given.csv are farther from hand.off than a tenth of its diagonal; are they in its coordinates and its unit?");
+  EXPECT_EQ(asked({tip, tip + 0.005 * diagonal * Vec3::UnitX(), tip}),
+            "the 3 points of given.csv lie within 0.5 % of the diagonal of hand.off; are they in its coordinates and its unit?");
+  EXPECT_EQ(asked({tip, tip}), "") << "two landmarks may lie beside each other";
+  EXPECT_EQ(asked({tip, tip, other}), "");
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ struct ReadFamily : testing::Test {
   void TearDown() override { fs::remove_all(folder); }
 
   void write_parts(int matches) {
-    const MatchParts part{{{1}, {1, 0.25f}}, {{0}, {}}};
+    const MatchParts part{{{1}, {1, 0.25f}, Box{{0, 0, 0}, {0.5, 2, 3}}}, {{0}, {}, {}}};
     write_file(folder / "parts.json", text_of([&](const Sink& sink) {
                  write_parts_json({mesh, model}, {mesh, data}, std::vector<MatchParts>(matches, part), sink);
                }));
@@ -76,6 +76,9 @@ TEST_F(ReadFamily, ReadsThePartsBesideIt) {
   EXPECT_TRUE(stored.parts_known);
   EXPECT_EQ(stored.matches[0].model.positions, (std::vector<Vec3>{{0.1, 0.2, 0.3}, {1, 2, 3}}));
   EXPECT_EQ(stored.matches[0].model.weights, (std::vector<float>{1, 0.25f}));
+  EXPECT_EQ(stored.matches[0].model.box.value().max, Vec3(0.5, 2, 3));
+  EXPECT_FALSE(stored.matches[0].data.box);
+  EXPECT_EQ(stored.matches[0].confidence, family.matches[0].confidence);
   EXPECT_TRUE(stored.matches[0].data.positions.empty());
 }
 
@@ -145,6 +148,14 @@ TEST_F(ReadFamily, RefusesWeightsOfPartsThatAreNoShares) {
   parts.replace(parts.find("0.25"), 4, "2.25");
   write_file(folder / "parts.json", parts);
   EXPECT_THAT(message(), HasSubstr("parts.json: a weight is not from 0 to 1; the file is damaged"));
+}
+
+TEST_F(ReadFamily, RefusesABoxOfPartsThatIsNone) {
+  write_parts(1);
+  std::string parts = read_file(folder / "parts.json");
+  parts.replace(parts.find("[0.5,2.0,3.0]"), 13, "[0.5,-2.0,3.0]");
+  write_file(folder / "parts.json", parts);
+  EXPECT_THAT(message(), HasSubstr("parts.json: a box has no least and greatest place; the file is damaged"));
 }
 
 /// One as turned and scaled as real ones are, so that its matrix has all digits.

@@ -50,6 +50,15 @@ bool in_use(const Side& side, const Vec3& x) {
   return (v.array() >= 0).all() && (v.array() <= Vec3(nx - 1, ny - 1, nz - 1).array()).all();
 }
 
+/// Parts are told by the file's axes, and so stand their grids.
+std::optional<Box> part_in_use(const Side& side) {
+  const std::vector<Vec3>& vertices = side.mesh.vertices;
+  if (!side.frame.axes.isIdentity(0) || std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& x) { return in_use(side, x); }))
+    return {};
+  const auto& [nx, ny, nz] = side.frame.size;
+  return Box{side.frame.origin, side.frame.world_from_voxel(Vec3(nx - 1, ny - 1, nz - 1))};
+}
+
 Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
   Places result;
   for (const LocalMap& local : local_maps(data_from_model, places.positions)) {
@@ -105,7 +114,7 @@ std::vector<float> vertex_weights(const Side& side, std::vector<float> weights) 
 PartWeights weigh_both(const LaidSide& laid_side, const Side& side, const LaidSide& other, const Side& other_side,
                        const Tolerance& tolerance) {
   return {vertex_weights(side, weigh(laid_side.vertices, side.surface.mesh.vertices, side, other.surface, other_side, tolerance)),
-          weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance)};
+          weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance), part_in_use(side)};
 }
 
 }  // namespace

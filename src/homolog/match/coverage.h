@@ -2,6 +2,7 @@
 // Beyond the paper: which region of either surface a match covers. The one home of this weight: files, reports and transfer read it here.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "homolog/describe/shape.h"
@@ -20,6 +21,7 @@ struct MeshedShape {
 struct PartWeights {
   std::vector<float> vertices;  ///< of the mesh
   std::vector<float> samples;   ///< of Shape::surface, which knows nothing of the tessellation
+  std::optional<Box> box;       ///< where what was described lies, if that is but a part of the mesh: outside it all weighs 0
 };
 
 struct MatchParts {

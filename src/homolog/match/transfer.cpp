@@ -40,8 +40,9 @@ std::vector<MatchMap> match_maps(const std::vector<Match>& matches, const Shape&
                     model.diagonal,
                     data.diagonal,
                     0,
-                    {positions_of(model.surface), parts[i].model.samples},
-                    {positions_of(data.surface), parts[i].data.samples}});
+                    matches[i].confidence,
+                    {positions_of(model.surface), parts[i].model.samples, parts[i].model.box},
+                    {positions_of(data.surface), parts[i].data.samples, parts[i].data.box}});
   }
   return maps;
 }
@@ -73,6 +74,7 @@ double expected_error_share(const Mat3& gradient, double doubt) {
 }
 
 double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x) {
+  if (samples.box && square_distance(*samples.box, x) > 0) return 0;
   std::vector<std::pair<double, float>> nearest(std::min(neighbours, samples.positions.size()) + 1,
                                                 {std::numeric_limits<double>::infinity(), 0.0f});
   for (std::size_t i = 0; i < samples.positions.size(); ++i) {

@@ -16,6 +16,7 @@ namespace homolog {
 struct CoveredSamples {
   std::vector<Vec3> positions;
   std::vector<float> weights;
+  std::optional<Box> box;  ///< PartWeights::box
 };
 
 /// The model's point of a pair: there the map is known, as surely as the pair is.
@@ -32,6 +33,7 @@ struct MatchMap {
   Mat4 similarity = Mat4::Identity();  ///< data_from_model as far as a similarity can tell, of homogeneous columns
   double model_diagonal = 0, data_diagonal = 0;
   double thickness = 0;        ///< that both surfaces were given, in diagonals: samples lie half of it off them
+  double confidence = 1;       ///< that the match is right, 0 to 1
   CoveredSamples model, data;  ///< empty: which part is covered is not known
 };
 
@@ -53,8 +55,10 @@ struct CarriedPoint {
   double expected_error = 0;       ///< true errors are larger as often as smaller, if the match is right; unit of the shape carried to
   std::optional<double> coverage;  ///< how surely the point belongs to the covered part, 0 to 1; none if that is not known
 
+  bool is_covered() const { return coverage.value_or(1) >= 0.5; }
+
   /// Whether it can be told at all: a point that is not is missing on the other shape, whatever the map says.
-  bool is_there() const { return exact && coverage.value_or(1) >= 0.5; }
+  bool is_there() const { return exact && is_covered(); }
 };
 
 /// Carries points, on the surface or off it. Backwards it is the inverse of the same map (Newton's method), so that points come back to
@@ -62,7 +66,7 @@ struct CarriedPoint {
 std::vector<CarriedPoint> carry_points(const MatchMap& match, const std::vector<Vec3>& points, Direction direction);
 
 /// How surely x belongs to the covered part: the mean weight of the nearest samples by inverse square distance, fading from .1 to .2
-/// diagonals away from them. Needs at least one sample.
+/// diagonals away from them; 0 outside their box. Needs at least one sample.
 double coverage_at(const CoveredSamples& samples, double diagonal, const Vec3& x);
 
 struct InversePlace {

@@ -13,12 +13,14 @@ namespace {
 
 constexpr const char* was_missing = "missing on the shape it comes from";
 constexpr const char* not_covered = "outside the covered part";
+constexpr const char* no_inverse = "the map folds here";
 constexpr const char* error_to_expect = "expected error ";
 
 std::string told(const std::optional<CarriedPoint>& point) {
   if (!point) return was_missing;
   const std::string coverage = point->coverage ? fmt::format(", coverage {:.3f}", *point->coverage) : "";
-  if (!point->is_there()) return not_covered + coverage;
+  if (!point->is_covered()) return not_covered + coverage;
+  if (!point->exact) return no_inverse + coverage;
   return fmt::format("{}{:.4g}", error_to_expect, point->expected_error) + coverage;
 }
 
@@ -27,7 +29,7 @@ std::string before_told(const std::string& description) {
   const std::size_t last = description.rfind("; "), begin = last == description.npos ? 0 : last + 2;
   const std::string_view tail = std::string_view(description).substr(begin);
   const auto begins = [&](const char* words) { return tail.starts_with(words); };
-  if (!begins(was_missing) && !begins(not_covered) && !begins(error_to_expect)) return description;
+  if (!begins(was_missing) && !begins(not_covered) && !begins(no_inverse) && !begins(error_to_expect)) return description;
   return last == description.npos ? "" : description.substr(0, last);
 }
 
@@ -76,7 +78,9 @@ std::string carried_ply(const Mesh& mesh, const std::vector<CarriedPoint>& verti
     coverage.values.push_back(vertices[i].exact ? static_cast<float>(vertices[i].coverage.value_or(1)) : 0.0f);
     error.values.push_back(static_cast<float>(vertices[i].expected_error));
   }
-  return ply_text(moved, {}, {coverage, error}, "quality: how surely the vertex lies in the covered part, 0 to 1");
+  return ply_text(moved, {}, {coverage, error},
+                  "quality: how surely the vertex lies in the covered part, 0 to 1; below 0.5 it is missing on the other shape, "
+                  "and its place only where the map would put it");
 }
 
 }  // namespace homolog

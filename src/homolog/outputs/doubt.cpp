@@ -14,4 +14,8 @@ std::string doubt_sentence(const Family& family) {
   return fmt::format("No match here is likely to be right: the highest confidence is {:.2f}.", best->confidence);
 }
 
+std::string doubt_of_match(double confidence) {
+  return confidence < 0.5 ? fmt::format("this match is more likely wrong than right: its confidence is {:.2f}", confidence) : "";
+}
+
 }  // namespace homolog

@@ -11,4 +11,7 @@ namespace homolog {
 /// A sentence when every match is more probably wrong than right, else nothing; nothing of an empty family.
 std::string doubt_sentence(const Family& family);
 
+/// The same of one match, by its confidence.
+std::string doubt_of_match(double confidence);
+
 }  // namespace homolog

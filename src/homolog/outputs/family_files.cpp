@@ -13,7 +13,8 @@ namespace {
 /// Of an empty family nothing is covered.
 MatchParts best_parts(const ToldFamily& told) {
   if (!told.parts.empty()) return told.parts.front();
-  return {{std::vector<float>(told.model.mesh.vertices.size(), 0), {}}, {std::vector<float>(told.data.mesh.vertices.size(), 0), {}}};
+  return {{std::vector<float>(told.model.mesh.vertices.size(), 0), {}, {}},
+          {std::vector<float>(told.data.mesh.vertices.size(), 0), {}, {}}};
 }
 
 }  // namespace

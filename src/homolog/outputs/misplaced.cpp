@@ -16,7 +16,9 @@ namespace homolog {
 namespace {
 
 constexpr double enough = 0.75;  // share that must lie there
-constexpr double far = 0.2;      // diagonals
+constexpr double far = 0.1;      // diagonals
+constexpr std::size_t several = 3;
+constexpr double least_extent = 0.01;  // diagonals that several landmarks span
 
 struct Turn {
   const char* told;
@@ -96,12 +98,22 @@ std::optional<Misplaced> misplaced(const Mesh& mesh, const std::string& file, co
       !way.empty()};
 }
 
-std::size_t count_far(const std::vector<Vec3>& points, const MatchedShape& shape) {
-  if (shape.samples.positions.empty()) return 0;
+std::string misplaced_points(const std::vector<Vec3>& points, const std::string& file, const MatchedShape& shape) {
+  if (shape.samples.positions.empty() || points.empty()) return "";
+  constexpr const char* question = "are they in its coordinates and its unit?";
+  Eigen::AlignedBox3d box;
+  for (const Vec3& point : points) box.extend(point);
+  const double extent = box.diagonal().norm() / shape.diagonal;
+  if (points.size() >= several && extent < least_extent) {
+    return fmt::format("the {} points of {} lie within {:.2g} % of the diagonal of {}; {}", points.size(), file, 100 * extent, shape.name,
+                       question);
+  }
   const NearestPoints samples(shape.samples.positions);
-  const double reach = far * shape.diagonal;
-  return static_cast<std::size_t>(std::count_if(
-      points.begin(), points.end(), [&](const Vec3& point) { return samples.nearest(point, 1)[0].square_distance > reach * reach; }));
+  const auto is_far = [&](const Vec3& x) { return std::sqrt(samples.nearest(x, 1)[0].square_distance) > far * shape.diagonal; };
+  const auto count = static_cast<std::size_t>(std::count_if(points.begin(), points.end(), is_far));
+  if (2 * count <= points.size()) return "";
+  return fmt::format("{} of {} points of {} are farther from {} than a tenth of its diagonal; {}", count, points.size(), file, shape.name,
+                     question);
 }
 
 }  // namespace homolog

@@ -33,7 +33,8 @@ struct Misplaced {
 /// that look alike before and behind can stand turned about unnoticed.
 std::optional<Misplaced> misplaced(const Mesh& mesh, const std::string& file, const MatchedShape& shape);
 
-/// How many of these are farther from the shape than carrying reaches, a fifth of its diagonal; landmarks off the surface are not.
-std::size_t count_far(const std::vector<Vec3>& points, const MatchedShape& shape);
+/// What to ask about points most of which are farther from the shape than a tenth of its diagonal, where they begin not to belong to it, or
+/// of which several lie in one place of it, as in another unit they would; else nothing.
+std::string misplaced_points(const std::vector<Vec3>& points, const std::string& file, const MatchedShape& shape);
 
 }  // namespace homolog

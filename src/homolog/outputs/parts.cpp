@@ -35,10 +35,14 @@ void write_weights(const PartWeights& part, std::size_t indent, const Sink& sink
   sink(fmt::format("\n{:{}}}}", "", indent));
 }
 
-ordered_json side_json(const MeshedShape& side) {
-  ordered_json samples = ordered_json::array();
-  for (const SurfaceSample& s : side.shape.surface) samples.push_back({s.position.x(), s.position.y(), s.position.z()});
-  return {{"file", side.shape.name}, {"vertices", side.mesh.vertices.size()}, {"samples", std::move(samples)}};
+ordered_json place_json(const Vec3& x) { return {x.x(), x.y(), x.z()}; }
+
+ordered_json side_json(const MeshedShape& side, const std::optional<Box>& box) {
+  ordered_json json{{"file", side.shape.name}, {"vertices", side.mesh.vertices.size()}};
+  if (box) json["box"] = {place_json(box->min), place_json(box->max)};
+  ordered_json& samples = json["samples"] = ordered_json::array();
+  for (const SurfaceSample& s : side.shape.surface) samples.push_back(place_json(s.position));
+  return json;
 }
 
 }  // namespace
@@ -47,8 +51,9 @@ void write_parts_json(const MeshedShape& model, const MeshedShape& data, const s
   sink("{\n");
   const nlohmann::ordered_json head = json_head("homolog-parts");
   for (const auto& [key, value] : head.items()) sink(fmt::format(" \"{}\": {},\n", key, value.dump()));
-  sink(" \"model\": " + json_piece(side_json(model), 1) + ",\n");
-  sink(" \"data\": " + json_piece(side_json(data), 1) + ",\n \"matches\": [");
+  const auto box_of = [&](PartWeights MatchParts::*side) { return parts.empty() ? std::nullopt : (parts[0].*side).box; };
+  sink(" \"model\": " + json_piece(side_json(model, box_of(&MatchParts::model)), 1) + ",\n");
+  sink(" \"data\": " + json_piece(side_json(data, box_of(&MatchParts::data)), 1) + ",\n \"matches\": [");
   for (std::size_t i = 0; i < parts.size(); ++i) {
     sink(i > 0 ? ",\n  {\n   \"model\": " : "\n  {\n   \"model\": ");
     write_weights(parts[i].model, 3, sink);

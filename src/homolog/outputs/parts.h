@@ -2,7 +2,9 @@
 // What a user takes home of the parts that matches cover: `parts.json`, format "homolog-parts" version 1, and coloured meshes.
 //
 //   { "format": "homolog-parts", "version": 1, "program": "homolog x.y.z",
-//     "model": { "file": "...", "vertices": n, "samples": [[x,y,z], ...] },     // even samples of the surface of the part in use
+//     "model": { "file": "...", "vertices": n,
+//                "box": [[x,y,z], [x,y,z]],                                     // of the part in use, least and greatest; not of a whole
+//                "samples": [[x,y,z], ...] },                                   // even samples of the surface of the part in use
 //     "data":  { the same },
 //     "matches": [ { "model": { "vertices": [w, ...], "samples": [w, ...] },    // in the order of match.json
 //                    "data":  { the same } } ] }

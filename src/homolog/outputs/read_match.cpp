@@ -72,11 +72,11 @@ StoredFamily read_matches(const ordered_json& json, const std::string& file) {
     MatchMap match;
     match.data_from_model = read_warp(item.at("warp"), file);
     match.known = read_known(item, model, data, match.data_from_model, file);
-    read_share(item.at("confidence"), "the confidence of a match", file);
     match.scale = item.at("scale");
     match.similarity = read_matrix(item.at("data_from_model"));
     match.model_diagonal = model.at("diagonal");
     match.data_diagonal = data.at("diagonal");
+    match.confidence = read_share(item.at("confidence"), "the confidence of a match", file);
     match.thickness = json.value("parameters", ordered_json::object()).value("thicken", 0.0);
     if (!(match.scale > 0 && match.model_diagonal > 0 && match.data_diagonal > 0))
       fail(file, "a size is not positive; the file is damaged");
@@ -95,10 +95,18 @@ std::vector<float> read_weights(const ordered_json& list, std::size_t count, con
   return weights;
 }
 
+std::optional<Box> read_box(const ordered_json& side, const std::string& file) {
+  if (!side.contains("box")) return {};
+  const std::vector<Vec3> ends = read_vectors(side.at("box"), file);
+  if (ends.size() != 2 || !(ends[0].array() <= ends[1].array()).all())
+    fail(file, "a box has no least and greatest place; the file is damaged");
+  return Box{ends[0], ends[1]};
+}
+
 CoveredSamples read_samples(const ordered_json& side, const ordered_json& weights, const std::string& file) {
   std::vector<Vec3> positions = read_vectors(side.at("samples"), file);
   const std::size_t count = positions.size();
-  return {std::move(positions), read_weights(weights.at("samples"), count, file)};
+  return {std::move(positions), read_weights(weights.at("samples"), count, file), read_box(side, file)};
 }
 
 void check_parts(const ordered_json& json, const std::string& file, const std::string& model, const std::string& data, std::size_t count) {
@@ -226,7 +234,8 @@ void add_whole_parts(const ordered_json& json, const std::string& file, ReadResu
   for (const Vec3& position : read_vectors(model.at("samples"), file)) result.model.surface.push_back({position, Vec3::Zero()});
   for (const Vec3& position : read_vectors(data.at("samples"), file)) result.data.surface.push_back({position, Vec3::Zero()});
   const auto weights = [&](const ordered_json& of, const ordered_json& side, const Shape& shape) -> PartWeights {
-    return {read_weights(of.at("vertices"), side.at("vertices"), file), read_weights(of.at("samples"), shape.surface.size(), file)};
+    return {read_weights(of.at("vertices"), side.at("vertices"), file), read_weights(of.at("samples"), shape.surface.size(), file),
+            read_box(side, file)};
   };
   result.parts.emplace();
   for (const ordered_json& match : json.at("matches")) {
