@@ -8,6 +8,7 @@
 #include "change_mesh.h"
 #include "cut_mesh.h"
 #include "mirror_symmetry.h"
+#include "other_forms.h"
 #include "random.h"
 #include "scene.h"
 
@@ -74,6 +75,7 @@ void add_changed(std::vector<Case>& cases, const Source& source, std::uint64_t s
   cases.push_back(changed_case("mirrored", source, mirrored(mesh)));
   cases.push_back(changed_case("noisy", source, noisy(mesh, 0.003, seed), mesh.vertices));
   cases.push_back(changed_case("clustered", source, clustered(mesh, 48), mesh.vertices));
+  cases.push_back(changed_case("remeshed", source, remeshed(mesh), mesh.vertices));
 }
 
 // The vertices of `whole`, which is the source changed, are the source's.
@@ -82,11 +84,11 @@ Case part_case(const std::string& kind, const Source& source, const CutPart& par
                    {truth_of(source, part.whole_vertex, part.mesh.vertices, whole.vertices)});
 }
 
-// Parts of 15 to 60 % in the bent whole, one of 45 % in the whole as it is, and the whole in what is left when a piece is missing.
+// Parts of 10 to 60 % in the bent whole, one of 45 % in the whole as it is, and the whole in what is left when a piece is missing.
 void add_cut(std::vector<Case>& cases, const Source& source, std::uint64_t seed) {
   Random random(seed, source.name + " cut");
   const Mesh data = bent(source.mesh, 30);
-  for (const int percent : {15, 35, 60}) {
+  for (const int percent : {10, 35, 60}) {
     const CutPart part = cut_share(source.mesh, random.direction(), percent / 100.0);
     cases.push_back(part_case(fmt::format("part{}", percent), source, part, "bent30", data));
   }

@@ -15,19 +15,6 @@
 namespace homolog::bench {
 namespace {
 
-Mesh remeshed(const Mesh& mesh) {
-  const Interior interior = voxelize(mesh, 256).interior;
-  const auto& frame = interior.frame;
-  Mesh result = surface_nets({frame.size,
-                              [&](int z, std::vector<float>& slice) {
-                                const auto first = interior.values.begin() + static_cast<std::ptrdiff_t>(frame.index(0, 0, z));
-                                std::copy(first, first + static_cast<std::ptrdiff_t>(slice.size()), slice.begin());
-                              }},
-                             0);
-  for (Vec3& vertex : result.vertices) vertex = frame.world_from_voxel(vertex);
-  return result;
-}
-
 /// The coarsest grid that leaves this share of the triangles.
 Mesh coarsened(const Mesh& mesh, double share) {
   const double wanted = share * static_cast<double>(mesh.triangles.size());
@@ -98,6 +85,19 @@ PointCloud sampled(const Mesh& mesh, std::size_t count, double noise) {
 }
 
 }  // namespace
+
+Mesh remeshed(const Mesh& mesh) {
+  const Interior interior = voxelize(mesh, 256).interior;
+  const auto& frame = interior.frame;
+  Mesh result = surface_nets({frame.size,
+                              [&](int z, std::vector<float>& slice) {
+                                const auto first = interior.values.begin() + static_cast<std::ptrdiff_t>(frame.index(0, 0, z));
+                                std::copy(first, first + static_cast<std::ptrdiff_t>(slice.size()), slice.begin());
+                              }},
+                             0);
+  for (Vec3& vertex : result.vertices) vertex = frame.world_from_voxel(vertex);
+  return result;
+}
 
 std::vector<NamedMesh> other_forms(const Mesh& mesh) {
   return {{"remeshed", remeshed(mesh)},

@@ -114,6 +114,26 @@ TEST(GeneratedCases, AnOracleIsRightOnAllOfThem) {
   EXPECT_EQ(strangers, 1);
 }
 
+TEST(GeneratedCases, HoldRemeshedWholesAndPartsOfATenth) {
+  const Mesh whole = quadruped();
+  int remeshed = 0, tenths = 0;
+  for (const Case& one : generated_cases({{"quadruped", whole}}, {}, 1)) {
+    if (one.pair.model == "remeshed/quadruped") {
+      const Mesh data = one.data.read();
+      EXPECT_TRUE(is_closed(data));
+      EXPECT_GT(data.vertices.size(), 2 * whole.vertices.size());
+      EXPECT_NEAR(volume_of(data) / volume_of(whole), 1, 0.01);
+      EXPECT_EQ(one.truths(whole, data)[0].data, whole.vertices);
+      ++remeshed;
+    }
+    if (one.pair.model != "part10/quadruped") continue;
+    EXPECT_NEAR(volume_of(one.model.read()) / volume_of(whole), 0.1, 1e-4);
+    ++tenths;
+  }
+  EXPECT_EQ(remeshed, 1);
+  EXPECT_EQ(tenths, 1);
+}
+
 TEST(Instances, MissedRepeatedAndWrongOnesLowerF1) {
   const Mesh shape = quadruped();
   const Scene scene = make_scene(shape, {}, {.copies = 2}, 3);
