@@ -36,6 +36,7 @@ void add_options(CLI::App& app, Options& options) {
   app.add_option("--param", options.parameters, "NAME=VALUE, a parameter other than by default (repeatable)")->take_all();
   app.add_option("--preset", options.preset, "Start from these parameters")->check(CLI::IsMember({"paper"}));
   app.add_option("--turn", options.run.seed, "Seed of the random turn, scale and shift of the data; 0: none")->capture_default_str();
+  app.add_option("--turn-model", options.run.model_seed, "Seed of the like of the model; 0: none")->capture_default_str();
   app.add_option("--rows", options.rows, "Also write the rows to this file, separated by tabs");
 }
 

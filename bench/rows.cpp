@@ -55,6 +55,7 @@ std::vector<Cell> cells(const Result& result) {
           {"lost", result.judged ? stage_name(s.lost) : ""},
           {"cpu_seconds", rounded(result.cpu_seconds)},
           {"counts", result.counts},
+          {"told", result.told},
           {"error", s.error}};
 }
 

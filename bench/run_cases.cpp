@@ -22,16 +22,28 @@ std::string counts_text(const StageCounts& counts) {
   return text;
 }
 
-// The truth goes where the data shape was turned to.
-Truth turned_truth(TruePoints points, const Similarity& turn) {
-  for (Vec3& p : points.data) p = turn(p);
-  for (Vec3& p : points.swapped_data) p = turn(p);
+// The first match's pairs, in an order that does not depend on how they were found.
+std::string told_text(const Family& family) {
+  if (family.matches.empty()) return "";
+  std::vector<std::pair<int, int>> pairs;
+  for (const Correspondence& c : family.matches.front().pairs) pairs.emplace_back(c.model, c.data);
+  std::sort(pairs.begin(), pairs.end());
+  std::string text;
+  for (const auto& [model, data] : pairs) text += fmt::format("{}{}:{}", text.empty() ? "" : " ", model, data);
+  return text;
+}
+
+// The truth goes where the shapes were turned to.
+Truth turned_truth(TruePoints points, const Similarity& model_turn, const Similarity& data_turn) {
+  for (Vec3& p : points.model) p = model_turn(p);
+  for (Vec3& p : points.data) p = data_turn(p);
+  for (Vec3& p : points.swapped_data) p = data_turn(p);
   return make_truth(points);
 }
 
 PairScore score(const Case& one, const Family& family, const DescribedShape& model, const DescribedShape& data) {
   std::vector<Truth> truths;
-  for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), data.turn));
+  for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), model.turn, data.turn));
   if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);
   PairScore result = score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
   if (truths.size() == 1 && !truths[0].direct.dense && result.found) {
@@ -41,15 +53,16 @@ PairScore score(const Case& one, const Family& family, const DescribedShape& mod
   return result;
 }
 
-Result run_case(const Case& one, const Params& params, Shapes& shapes) {
+Result run_case(const Case& one, const RunOptions& options, Shapes& shapes) {
   Result result;
   result.pair = one.pair;
-  const auto model = shapes.get(one.model.name, false, one.model.read);
-  const auto data = shapes.get(one.data.name, true, one.data.read);
+  const auto model = shapes.get(one.model.name, options.model_seed, one.model.read);
+  const auto data = shapes.get(one.data.name, options.seed, one.data.read);
   const double start = thread_seconds();
-  const Family family = match_shapes(model->shape, data->shape, params);
+  const Family family = match_shapes(model->shape, data->shape, options.params);
   result.cpu_seconds = model->cpu_seconds + data->cpu_seconds + thread_seconds() - start;
   result.counts = counts_text(family.counts);
+  result.told = told_text(family);
   result.score = score(one, family, *model, *data);
   result.judged = one.pair.task == unrelated || result.score.instances > 0;
   return result;
@@ -92,11 +105,10 @@ std::vector<Case> cases_of(const std::filesystem::path& folder, const std::vecto
   return cases;
 }
 
-std::vector<Result> run_cases(const std::vector<Case>& cases, const RunOptions& options, const std::function<void(const Result&)>& report) {
-  Params params = options.params;
-  params.threads = 1;
-  Shapes shapes(params, options.seed);
-  for (const Case& one : cases) shapes.expect(one.model.name, false), shapes.expect(one.data.name, true);
+std::vector<Result> run_cases(const std::vector<Case>& cases, RunOptions options, const std::function<void(const Result&)>& report) {
+  options.params.threads = 1;
+  Shapes shapes(options.params);
+  for (const Case& one : cases) shapes.expect(one.model.name, options.model_seed), shapes.expect(one.data.name, options.seed);
   std::vector<Result> results(cases.size());
   InOrder in_order(results, report);
   std::atomic<std::size_t> next = 0;
@@ -104,7 +116,7 @@ std::vector<Result> run_cases(const std::vector<Case>& cases, const RunOptions& 
     for (std::size_t i = next++; i < cases.size(); i = next++) {
       Result result;
       try {
-        result = run_case(cases[i], params, shapes);
+        result = run_case(cases[i], options, shapes);
       } catch (const std::exception& error) {
         result.pair = cases[i].pair;
         result.score.error = error.what();

@@ -31,11 +31,12 @@ std::vector<Case> cases_of(const std::filesystem::path& folder, const std::vecto
 
 struct RunOptions {
   Params params;
-  std::uint64_t seed = 1;  ///< turns the data shapes; 0: not
-  int threads = 2;         ///< pairs at a time; each works on one thread, so that its CPU time is its own
+  std::uint64_t seed = 1;        ///< turns the data shapes; 0: not
+  std::uint64_t model_seed = 0;  ///< turns the models; 0: not
+  int threads = 2;               ///< pairs at a time; each works on one thread, so that its CPU time is its own
 };
 
 /// Calls `report` for every case, in their order, as soon as it and all before it are done. Never throws for a case.
-std::vector<Result> run_cases(const std::vector<Case>& cases, const RunOptions& options, const std::function<void(const Result&)>& report);
+std::vector<Result> run_cases(const std::vector<Case>& cases, RunOptions options, const std::function<void(const Result&)>& report);
 
 }  // namespace homolog::bench

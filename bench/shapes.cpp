@@ -11,13 +11,13 @@ double thread_seconds() {
   return static_cast<double>(t.tv_sec) + 1e-9 * static_cast<double>(t.tv_nsec);
 }
 
-void Shapes::expect(const std::string& name, bool turned) { ++entries_[{name, turned && seed_ != 0}].expected; }
+void Shapes::expect(const std::string& name, std::uint64_t seed) { ++entries_[{name, seed}].expected; }
 
 void Shapes::make(const Key& key, const std::function<Mesh()>& read, Entry& entry) const try {
   auto described = std::make_shared<DescribedShape>();
   described->mesh = read();
   const double diagonal = bounding_box(described->mesh).diagonal();
-  if (key.second) described->turn = random_similarity(seed_, key.first, diagonal);
+  if (key.second != 0) described->turn = random_similarity(key.second, key.first, diagonal);
   described->diagonal = described->turn.scale * diagonal;
   const Mesh turned = moved(described->turn, described->mesh);
   const double start = thread_seconds();
@@ -28,8 +28,8 @@ void Shapes::make(const Key& key, const std::function<Mesh()>& read, Entry& entr
   entry.error = std::current_exception();
 }
 
-std::shared_ptr<const DescribedShape> Shapes::get(const std::string& name, bool turned, const std::function<Mesh()>& read) {
-  const Key key{name, turned && seed_ != 0};
+std::shared_ptr<const DescribedShape> Shapes::get(const std::string& name, std::uint64_t seed, const std::function<Mesh()>& read) {
+  const Key key{name, seed};
   std::unique_lock lock(mutex_);
   Entry& entry = entries_[key];
   made_.wait(lock, [&] { return !entry.making; });

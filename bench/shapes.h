@@ -29,14 +29,13 @@ double thread_seconds();
 
 class Shapes {
  public:
-  /// `seed` turns the shapes asked for with `turned`; 0 turns none.
-  Shapes(Params params, std::uint64_t seed) : params_(params), seed_(seed) {}
+  explicit Shapes(Params params) : params_(params) {}
 
-  /// One more pair of the run will ask for this shape.
-  void expect(const std::string& name, bool turned);
+  /// One more pair of the run will ask for this shape, turned by this seed; 0: not turned.
+  void expect(const std::string& name, std::uint64_t seed);
 
   /// The shape, made by the first who asks. Rethrows for everyone what making it threw. Counts as one of the expected uses.
-  std::shared_ptr<const DescribedShape> get(const std::string& name, bool turned, const std::function<Mesh()>& read);
+  std::shared_ptr<const DescribedShape> get(const std::string& name, std::uint64_t seed, const std::function<Mesh()>& read);
 
  private:
   struct Entry {
@@ -45,12 +44,11 @@ class Shapes {
     std::shared_ptr<const DescribedShape> shape;
     std::exception_ptr error;
   };
-  using Key = std::pair<std::string, bool>;
+  using Key = std::pair<std::string, std::uint64_t>;
 
   void make(const Key& key, const std::function<Mesh()>& read, Entry& entry) const;
 
   Params params_;
-  std::uint64_t seed_;
   std::mutex mutex_;
   std::condition_variable made_;
   std::map<Key, Entry> entries_;

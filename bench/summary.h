@@ -16,6 +16,7 @@ struct Result {
   PairScore score;
   double cpu_seconds = 0;
   std::string counts;  ///< what each stage let through
+  std::string told;    ///< the first match's pairs by their numbers, as "0:4 3:17"
 };
 
 /// Column names and values of a row, separated by tabs (for files).
