@@ -146,6 +146,7 @@ PairScore score_family(const Family& family, const Points& model, const Points& 
   score.model_points = static_cast<int>(model.size());
   score.data_points = static_cast<int>(data.size());
   score.matches = static_cast<int>(family.matches.size());
+  score.has_swap = truth.swapped.has_value();
   for (std::size_t rank = 1; rank <= family.matches.size() && score.first_right == 0; ++rank) {
     if (score_match(family.matches[rank - 1], truth, data_diagonal).success) score.first_right = static_cast<int>(rank);
   }

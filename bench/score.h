@@ -40,6 +40,7 @@ struct PairScore {
   double confidence = 0;
   Handedness handedness = Handedness::proper;
   bool handedness_right = false;  ///< proper or mirrored as the truth that the first match meets is
+  bool has_swap = false;          ///< a swapped truth is known: the shape is left-right symmetric but for its pose
   int model_points = 0, data_points = 0, matches = 0;
   int findable = 0;                                               ///< model points with a true partner among the data points
   int findable_found = 0;                                         ///< of these, rightly paired by the first match

@@ -65,18 +65,28 @@ std::string lines_by(const Group& all, const std::function<std::string(const Res
   return text;
 }
 
+struct HandednessCounts {
+  int right = 0, wrong = 0, ambiguous = 0;
+  int all() const { return right + wrong + ambiguous; }
+};
+
+// Without a swapped truth a shape may be symmetric all the same: nobody has said where its points go.
 std::string handedness_line(const Group& group) {
-  int right = 0, wrong = 0, ambiguous = 0, mirrored = 0;
+  std::array<HandednessCounts, 2> counts;  // by whether a swapped truth is known
+  int mirrored = 0;
   for (const Result* r : group) {
     if (!r->score.success) continue;
+    HandednessCounts& count = counts[r->score.has_swap];
     const bool unsure = r->score.handedness == Handedness::ambiguous;
-    ambiguous += unsure;
-    right += !unsure && r->score.handedness_right;
-    wrong += !unsure && !r->score.handedness_right;
+    ++(unsure ? count.ambiguous : r->score.handedness_right ? count.right : count.wrong);
     mirrored += r->score.handedness == Handedness::mirrored;
   }
-  return fmt::format("handedness of right first matches: {} right, {} wrong, {} ambiguous; {} told mirrored\n", right, wrong, ambiguous,
-                     mirrored);
+  const auto& [without, with] = counts;
+  return fmt::format(
+      "handedness of right first matches: {} right, {} wrong, {} ambiguous; {} told mirrored; with a swapped truth: {} of {} ambiguous; "
+      "without: {} right, {} wrong, {} ambiguous\n",
+      without.right + with.right, without.wrong + with.wrong, without.ambiguous + with.ambiguous, mirrored, with.ambiguous, with.all(),
+      without.right, without.wrong, without.ambiguous);
 }
 
 std::string loss_line(const Group& group) {

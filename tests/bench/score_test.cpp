@@ -183,5 +183,21 @@ TEST(Summary, NothingFoundCountsZeroAndErrorsAreFailures) {
   EXPECT_NE(readable_row(results[1]).find("error: thrown"), std::string::npos);
 }
 
+TEST(Summary, TellsHandednessWithAndWithoutASwappedTruth) {
+  const Case symmetric;
+  Case other;
+  other.points.swapped_data.clear();
+  Match unsure = symmetric.match();
+  unsure.handedness = Handedness::ambiguous;
+  std::vector<Result> results(4);
+  results[0].score = symmetric.score({unsure});
+  results[1].score = symmetric.score({symmetric.match()});
+  results[2].score = other.score({other.match()});
+  results[3].score = other.score({unsure});
+  const std::string text = summary(results);
+  EXPECT_NE(text.find("2 right, 0 wrong, 2 ambiguous; 0 told mirrored"), std::string::npos);
+  EXPECT_NE(text.find("with a swapped truth: 1 of 2 ambiguous; without: 1 right, 0 wrong, 1 ambiguous"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace homolog::bench
