@@ -79,6 +79,17 @@ double volume_of(const Mesh& mesh) {
   return sum / 6;
 }
 
+bool is_closed(const Mesh& mesh) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> surplus;  // of edges one way over those the other way
+  for (const auto& t : mesh.triangles) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t a = t[k], b = t[(k + 1) % 3];
+      surplus[std::minmax(a, b)] += int{a < b} - int{b < a};
+    }
+  }
+  return std::ranges::all_of(surplus, [](const auto& edge) { return edge.second == 0; });
+}
+
 CutPart cut(const Mesh& whole, const Vec3& normal, double offset) { return Cutter(whole, normal, offset).run(); }
 
 CutPart cut_share(const Mesh& whole, const Vec3& normal, double share) {

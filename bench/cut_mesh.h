@@ -16,6 +16,9 @@ struct CutPart {
 /// Volume of a closed mesh, outward oriented.
 double volume_of(const Mesh& mesh);
 
+/// Does every edge of a triangle have one that runs back along it? Vertices go by their numbers, as the cut has them.
+bool is_closed(const Mesh& mesh);
+
 /// The part where x . normal > offset. The cut is closed by a fan about one point, right by winding number for any outline.
 CutPart cut(const Mesh& whole, const Vec3& normal, double offset);
 

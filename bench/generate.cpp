@@ -4,9 +4,11 @@
 #include <fmt/format.h>
 
 #include <memory>
+#include <set>
 
 #include "change_mesh.h"
 #include "cut_mesh.h"
+#include "homolog/base/errors.h"
 #include "mirror_symmetry.h"
 #include "other_forms.h"
 #include "random.h"
@@ -119,19 +121,39 @@ void add_scenes(std::vector<Case>& cases, const Source& source, const std::vecto
   cases.push_back(scene_case("scene3_bent", source, clutter, {.copies = 3, .largest_ratio = 2, .bend_degrees = 30}, seed + 2));
 }
 
+void check_names(const std::vector<NamedMesh>& meshes, const std::vector<NamedMesh>& strangers) {
+  std::set<std::string> names;
+  for (const auto* list : {&meshes, &strangers}) {
+    for (const NamedMesh& named : *list) {
+      if (names.insert(named.name).second) continue;
+      throw ParamError(fmt::format("two meshes are named {}: rename the file, other than all given and made in code", named.name));
+    }
+  }
+}
+
+Source source_of(const NamedMesh& named) {
+  if (!is_closed(named.mesh)) {
+    throw ShapeError(fmt::format("{}: the mesh is not closed, so no share of it can be cut; close it, or leave it out", named.name));
+  }
+  Source source{named.name, named.mesh, mirror_symmetry(named.mesh.vertices, named.mesh.vertices.size())};
+  if (volume_of(source.mesh) < 0) turn_over(source.mesh.triangles);
+  return source;
+}
+
 }  // namespace
 
 std::vector<Case> generated_cases(const std::vector<NamedMesh>& meshes, const std::vector<NamedMesh>& strangers, std::uint64_t seed) {
+  check_names(meshes, strangers);
   std::vector<Mesh> clutter;
   for (std::size_t i = 0; i < std::min<std::size_t>(2, strangers.size()); ++i) clutter.push_back(strangers[i].mesh);
   std::vector<Case> cases;
   for (const NamedMesh& named : meshes) {
-    const Source source{named.name, named.mesh, mirror_symmetry(named.mesh.vertices, named.mesh.vertices.size())};
+    const Source source = source_of(named);
     add_changed(cases, source, seed);
     add_cut(cases, source, seed);
     add_scenes(cases, source, clutter, seed);
     for (const NamedMesh& stranger : strangers) {
-      cases.push_back(make_case(unrelated, "unrelated", source, shape(named.name, named.mesh), shape(stranger.name, stranger.mesh), {}));
+      cases.push_back(make_case(unrelated, "unrelated", source, shape(source.name, source.mesh), shape(stranger.name, stranger.mesh), {}));
     }
   }
   return cases;

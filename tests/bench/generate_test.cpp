@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <map>
 
 #include "change_mesh.h"
 #include "cut_mesh.h"
 #include "fixtures/solids.h"
+#include "homolog/base/errors.h"
 #include "instances.h"
 #include "scene.h"
 
@@ -17,18 +17,6 @@ namespace homolog::bench {
 namespace {
 
 Mesh quadruped() { return mesh_of(fixtures::quadruped(), 40); }
-
-// Every directed edge has its opposite.
-bool is_closed(const Mesh& mesh) {
-  std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-  for (const auto& t : mesh.triangles) {
-    for (std::size_t k = 0; k < 3; ++k) ++edges[{t[k], t[(k + 1) % 3]}];
-  }
-  return std::ranges::all_of(edges, [&](const auto& e) {
-    const auto back = edges.find({e.first.second, e.first.first});
-    return back != edges.end() && back->second == e.second;
-  });
-}
 
 TEST(CutMesh, PartIsClosedAndHasItsShare) {
   const Mesh whole = quadruped();
@@ -132,6 +120,21 @@ TEST(GeneratedCases, HoldRemeshedWholesAndPartsOfATenth) {
   }
   EXPECT_EQ(remeshed, 1);
   EXPECT_EQ(tenths, 1);
+}
+
+TEST(GeneratedCases, RefuseOpenMeshesAndEqualNamesAndTurnOverWhatIsInsideOut) {
+  const Mesh whole = quadruped();
+  Mesh open = whole, inside_out = whole;
+  open.triangles.pop_back();
+  EXPECT_THROW(generated_cases({{"a", open}}, {}, 1), ShapeError);
+  EXPECT_THROW(generated_cases({{"a", whole}, {"a", whole}}, {}, 1), ParamError);
+  EXPECT_THROW(generated_cases({{"heap1", whole}}, {{"heap1", whole}}, 1), ParamError);
+  turn_over(inside_out.triangles);
+  const auto right = generated_cases({{"a", whole}}, {}, 1), turned = generated_cases({{"a", inside_out}}, {}, 1);
+  for (std::size_t i = 0; i < right.size(); ++i) {
+    EXPECT_EQ(turned[i].model.read().vertices, right[i].model.read().vertices) << right[i].pair.model;
+    EXPECT_GT(volume_of(turned[i].data.read()), 0) << right[i].pair.model;
+  }
 }
 
 TEST(Instances, MissedRepeatedAndWrongOnesLowerF1) {
