@@ -42,6 +42,7 @@ Truth turned_truth(TruePoints points, const Similarity& model_turn, const Simila
 }
 
 PairScore score(const Case& one, const Family& family, const DescribedShape& model, const DescribedShape& data) {
+  if (one.pair.task == unrelated) return score_unrelated(family, model.shape.points, data.shape.points);
   std::vector<Truth> truths;
   for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), model.turn, data.turn));
   if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);

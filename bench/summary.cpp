@@ -89,15 +89,15 @@ std::string handedness_line(const Group& group) {
       without.right, without.wrong, without.ambiguous);
 }
 
-std::string loss_line(const Group& group) {
+Group without_errors(const Group& group) {
+  Group whole;
+  std::ranges::copy_if(group, std::back_inserter(whole), [](const Result* r) { return r->score.error.empty(); });
+  return whole;
+}
+
+std::string loss_line(const Group& group, std::size_t errors) {
   std::array<int, 4> counts{};
-  int errors = 0;
-  for (const Result* r : group) {
-    if (r->score.error.empty())
-      ++counts[static_cast<std::size_t>(r->score.lost)];
-    else
-      ++errors;
-  }
+  for (const Result* r : without_errors(group)) ++counts[static_cast<std::size_t>(r->score.lost)];
   return fmt::format("lost at: points {}, family {}, ranking {}; ok {}; errors {}\n", counts[0], counts[1], counts[2], counts[3], errors);
 }
 
@@ -149,10 +149,13 @@ std::string landmark_line(const Group& group) {
   return fmt::format("{} ({})\n", text, errors.size());
 }
 
+// A pair that throws claims nothing, but not because it was told apart.
 std::string unrelated_line(const Group& group) {
-  const auto claimed = std::ranges::count_if(group, [](const Result* r) { return r->score.instances_claimed > 0; });
-  return group.empty() ? ""
-                       : fmt::format("pairs that share nothing: {}; claimed with confidence of .5 or more: {}\n", group.size(), claimed);
+  if (group.empty()) return "";
+  const Group told = without_errors(group);
+  const auto claimed = std::ranges::count_if(told, [](const Result* r) { return r->score.instances_claimed > 0; });
+  return fmt::format("pairs that share nothing: {}; claimed with confidence of .5 or more: {}; errors besides: {}\n", told.size(), claimed,
+                     group.size() - told.size());
 }
 
 }  // namespace
@@ -175,8 +178,8 @@ std::string summary(const std::vector<Result>& results) {
                   "in six", "direct", "share", "right", "transfer", "mean", "<=.05", "<=.10", "calib", "CPU s");
   text += lines_by(all, [](const Result& r) { return r.pair.task; });
   text += lines_by(all, [](const Result& r) { return set_of(r.pair); });
-  text += line("all", all) + loss_line(all) + handedness_line(all) + calibration_line(judged) + landmark_line(all) + scene_lines(all) +
-          unrelated_line(sharing_nothing);
+  text += line("all", all) + loss_line(all, judged.size() - without_errors(judged).size()) + handedness_line(all) +
+          calibration_line(judged) + landmark_line(all) + scene_lines(all) + unrelated_line(sharing_nothing);
   const std::size_t unjudged = results.size() - judged.size();
   return unjudged > 0 ? text + fmt::format("without truth: {}\n", unjudged) : text;
 }

@@ -26,5 +26,16 @@ TEST(RunCases, TurningTheModelTurnsItsTruthAndKeepsThePairs) {
   EXPECT_EQ(first.told, turned.told);
 }
 
+TEST(RunCases, UnrelatedPairsAreJudgedByTheirTask) {
+  const Mesh mesh = mesh_of(fixtures::box({0, 0, 0}, {0.2, 0.5, 1}), 20);
+  Case one = generated_cases({{"box", mesh}}, {}, 1).front();
+  one.pair.task = unrelated;  // though its truth is known
+  const Result result = run_one(one, {});
+  EXPECT_TRUE(result.judged);
+  EXPECT_EQ(result.score.error, "");
+  EXPECT_EQ(result.score.instances, 0);
+  EXPECT_EQ(result.score.success, result.score.instances_claimed == 0);
+}
+
 }  // namespace
 }  // namespace homolog::bench

@@ -183,6 +183,16 @@ TEST(Summary, NothingFoundCountsZeroAndErrorsAreFailures) {
   EXPECT_NE(readable_row(results[1]).find("error: thrown"), std::string::npos);
 }
 
+TEST(Summary, UnrelatedPairsThatThrowAreErrorsAndNotUnclaimed) {
+  std::vector<Result> results(3);
+  for (Result& r : results) r.pair = {unrelated, "set/a", "set/b", ""};
+  results[0].score.instances_claimed = 1;
+  results[2].score.error = "thrown";
+  const std::string text = summary(results);
+  EXPECT_NE(text.find("errors 1\n"), std::string::npos);
+  EXPECT_NE(text.find("pairs that share nothing: 2; claimed with confidence of .5 or more: 1; errors besides: 1"), std::string::npos);
+}
+
 TEST(Summary, TellsHandednessWithAndWithoutASwappedTruth) {
   const Case symmetric;
   Case other;
