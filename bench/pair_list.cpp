@@ -4,26 +4,25 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <sstream>
 
-#include "homolog/base/errors.h"
+#include "text_lines.h"
 
 namespace homolog::bench {
 
 std::vector<PairEntry> read_pairs(const std::filesystem::path& folder) {
-  const std::filesystem::path path = folder / "pairs.tsv";
-  std::ifstream in(path);
-  if (!in) throw FileError(fmt::format("{}: cannot be read", path.string()));
+  TextLines lines{.file = folder / "pairs.tsv"};
+  if (!lines.in) throw FileError(fmt::format("{}: cannot be read", lines.file.string()));
+  if (!next_line(lines) || !lines.line.starts_with("task\tmodel\tdata\tground_truth")) {
+    throw fault_at(lines, "expected the columns' names: task, model, data, ground_truth, separated by tabs");
+  }
   std::vector<PairEntry> pairs;
-  std::string line;
-  std::getline(in, line);
-  for (int number = 2; std::getline(in, line); ++number) {
-    if (line.empty()) continue;
-    std::istringstream columns(line);
+  while (next_line(lines)) {
+    if (lines.line.empty()) continue;
+    std::istringstream columns(lines.line);
     PairEntry pair;
     for (std::string* column : {&pair.task, &pair.model, &pair.data, &pair.truth}) std::getline(columns, *column, '\t');
-    if (pair.data.empty()) throw FileError(fmt::format("{}, line {}: expected at least task, model and data", path.string(), number));
+    if (pair.data.empty()) throw fault_at(lines, "expected at least task, model and data");
     pairs.push_back(std::move(pair));
   }
   return pairs;

@@ -18,7 +18,8 @@ struct PairEntry {
 /// The task of pairs that share nothing.
 inline constexpr const char* unrelated = "unrelated";
 
-/// Reads FOLDER/pairs.tsv in its order. Throws FileError for a missing file or a row with too few columns.
+/// Reads FOLDER/pairs.tsv in its order. Throws FileError for a missing file, one that does not begin with the
+/// names of its columns, or a row with too few columns.
 std::vector<PairEntry> read_pairs(const std::filesystem::path& folder);
 
 /// The set a pair belongs to: the folder of its model.

@@ -2,13 +2,14 @@
 // Looked for in this order: vertex numbers (identity group, part of a whole, corr file), then landmarks.
 #include "read_truth.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <set>
 
 #include "homolog/shape/read_mesh.h"
 #include "mirror_symmetry.h"
 #include "surface_distance.h"
-#include "truth_files.h"
+#include "text_lines.h"
 
 namespace homolog::bench {
 namespace {
@@ -26,12 +27,34 @@ bool is_in(const IdentityGroup& group, const std::string& name) {
   return std::find(group.names.begin(), group.names.end(), name) != group.names.end();
 }
 
+// One mesh of a pair, with the folder where its files lie.
+struct Member {
+  fs::path set;
+  std::string name;
+  const Mesh& mesh;
+};
+
+FileError fault_of(const fs::path& set, const IdentityGroup& group, const std::string& what) {
+  return fault_at(set / "IDENTITY.corr.txt", group.line, what);
+}
+
+void check_count(const Member& member, const IdentityGroup& group) {
+  const std::size_t count = member.mesh.vertices.size();
+  if (count >= group.vertices) return;
+  throw fault_of(member.set, group, fmt::format("{} has {} vertices, not {}", member.name, count, group.vertices));
+}
+
 // The identity group of a mesh; a mesh without one is alone in its own.
-IdentityGroup group_of(const fs::path& set, const std::string& name, std::size_t vertices) {
-  for (const IdentityGroup& group : read_identity_groups(set)) {
-    if (is_in(group, name)) return group;
+IdentityGroup group_of(const Member& data) {
+  for (const IdentityGroup& group : read_identity_groups(data.set)) {
+    if (!is_in(group, data.name)) continue;
+    for (const std::string& name : group.names) {
+      if (!fs::exists(data.set / (name + ".off"))) throw fault_of(data.set, group, fmt::format("there is no {}.off", name));
+    }
+    check_count(data, group);
+    return group;
   }
-  return {{name}, vertices};
+  return {{data.name}, data.mesh.vertices.size()};
 }
 
 // Vertex numbers (model, data) that correspond.
@@ -41,12 +64,14 @@ std::vector<std::pair<int, int>> same_numbers(std::size_t count) {
   return pairs;
 }
 
-std::vector<std::pair<int, int>> vertex_pairs(const fs::path& model_set, const std::string& model, const fs::path& data_set,
-                                              const std::string& data, const IdentityGroup& group) {
-  if (model_set == data_set && is_in(group, model) && model != data) return same_numbers(group.vertices);
+std::vector<std::pair<int, int>> vertex_pairs(const Member& model, const Member& data, const IdentityGroup& group) {
+  if (model.set == data.set && is_in(group, model.name) && model.name != data.name) {
+    check_count(model, group);
+    return same_numbers(group.vertices);
+  }
   for (const std::string& name : group.names) {
-    const fs::path file = model_set / (model + "__" + name + ".corr.txt");
-    if (fs::exists(file)) return read_vertex_pairs(file);
+    const fs::path file = model.set / (model.name + "__" + name + ".corr.txt");
+    if (fs::exists(file)) return read_vertex_pairs(file, model.mesh.vertices.size(), group.vertices);
   }
   return {};
 }
@@ -67,10 +92,10 @@ bool turns_inside_out(const Mesh& whole, const Mesh& data) {
 TruePoints dense_truth(const std::vector<std::pair<int, int>>& pairs, const std::vector<int>& swap, const Mesh& model, const Mesh& data) {
   TruePoints points;
   for (const auto& [a, b] : pairs) {
-    points.model.push_back(model.vertices.at(static_cast<std::size_t>(a)));
-    points.data.push_back(data.vertices.at(static_cast<std::size_t>(b)));
+    points.model.push_back(model.vertices[static_cast<std::size_t>(a)]);
+    points.data.push_back(data.vertices[static_cast<std::size_t>(b)]);
     if (swap.empty()) continue;
-    points.swapped_data.push_back(data.vertices.at(static_cast<std::size_t>(swap.at(static_cast<std::size_t>(b)))));
+    points.swapped_data.push_back(data.vertices[static_cast<std::size_t>(swap[static_cast<std::size_t>(b)])]);
   }
   return points;
 }
@@ -115,33 +140,37 @@ std::optional<TruePoints> landmark_truth(const std::vector<Landmark>& model, con
 
 TruthReader::TruthReader(fs::path folder) : folder_(std::move(folder)) {}
 
-std::optional<TruePoints> TruthReader::read(const PairEntry& pair, const Mesh& model, const Mesh& data) {
-  const fs::path model_set = (folder_ / pair.model).parent_path(), data_set = (folder_ / pair.data).parent_path();
-  const std::string model_name = name_of(pair.model), data_name = name_of(pair.data);
-  if (model_set == data_set && model_name.starts_with(data_name + "__") && fs::exists(data_set / (data_name + ".parts.txt"))) {
-    return part_in_place(model);
+std::optional<TruePoints> TruthReader::read(const PairEntry& pair, const Mesh& model_mesh, const Mesh& data_mesh) {
+  const Member model{(folder_ / pair.model).parent_path(), name_of(pair.model), model_mesh};
+  const Member data{(folder_ / pair.data).parent_path(), name_of(pair.data), data_mesh};
+  if (model.set == data.set && model.name.starts_with(data.name + "__") && fs::exists(data.set / (data.name + ".parts.txt"))) {
+    return part_in_place(model.mesh);
   }
-  const IdentityGroup group = group_of(data_set, data_name, data.vertices.size());
-  const auto pairs = vertex_pairs(model_set, model_name, data_set, data_name, group);
+  const IdentityGroup group = group_of(data);
+  const auto pairs = vertex_pairs(model, data, group);
   if (!pairs.empty()) {
-    TruePoints points = dense_truth(pairs, vertex_symmetry(data_set, group.names, group.vertices), model, data);
-    const std::string source = source_of(model_name);
-    points.mirrored = is_in(group, source) && turns_inside_out(read_mesh(data_set / (source + ".off")), data);
+    TruePoints points = dense_truth(pairs, vertex_symmetry(data.set, group), model.mesh, data.mesh);
+    const std::string source = source_of(model.name);
+    points.mirrored = is_in(group, source) && turns_inside_out(read_mesh(data.set / (source + ".off")), data.mesh);
     return points;
   }
-  const auto data_landmarks = landmarks_of(data_set, data_set, data_name, data);
-  return landmark_truth(landmarks_of(model_set, data_set, model_name, model), data_landmarks,
-                        read_swap(data_set / (data_name + ".symmetry.txt"), data_landmarks));
+  const auto data_landmarks = landmarks_of(data.set, data.set, data.name, data.mesh);
+  return landmark_truth(landmarks_of(model.set, data.set, model.name, model.mesh), data_landmarks,
+                        read_swap(data.set / (data.name + ".symmetry.txt"), data_landmarks));
 }
 
-// One mesh of an identity group that stands symmetric tells the symmetry of all.
-const std::vector<int>& TruthReader::vertex_symmetry(const fs::path& set, const std::vector<std::string>& group, std::size_t count) {
+// One mesh of an identity group that stands symmetric tells the symmetry of all. What cannot be read is not remembered as without one.
+const std::vector<int>& TruthReader::vertex_symmetry(const fs::path& set, const IdentityGroup& group) {
   const std::lock_guard lock(mutex_);
-  const auto [place, is_new] = symmetries_.try_emplace((set / group.front()).string());
-  for (std::size_t i = 0; is_new && i < group.size() && place->second.empty(); ++i) {
-    place->second = mirror_symmetry(read_mesh(set / (group[i] + ".off")).vertices, count);
+  const std::string key = (set / group.names.front()).string();
+  if (const auto known = symmetries_.find(key); known != symmetries_.end()) return known->second;
+  std::vector<int> swap;
+  for (std::size_t i = 0; i < group.names.size() && swap.empty(); ++i) {
+    const Mesh mesh = read_mesh(set / (group.names[i] + ".off"));
+    check_count({set, group.names[i], mesh}, group);
+    swap = mirror_symmetry(mesh.vertices, group.vertices);
   }
-  return place->second;
+  return symmetries_.emplace(key, std::move(swap)).first->second;
 }
 
 }  // namespace homolog::bench

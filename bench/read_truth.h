@@ -12,6 +12,7 @@
 #include "homolog/shape/mesh.h"
 #include "pair_list.h"
 #include "truth.h"
+#include "truth_files.h"
 
 namespace homolog::bench {
 
@@ -24,7 +25,7 @@ class TruthReader {
   std::optional<TruePoints> read(const PairEntry& pair, const Mesh& model, const Mesh& data);
 
  private:
-  const std::vector<int>& vertex_symmetry(const std::filesystem::path& folder, const std::vector<std::string>& group, std::size_t count);
+  const std::vector<int>& vertex_symmetry(const std::filesystem::path& set, const IdentityGroup& group);
 
   std::filesystem::path folder_;
   std::mutex mutex_;

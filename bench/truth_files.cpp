@@ -3,18 +3,23 @@
 
 #include <fmt/format.h>
 
-#include <fstream>
 #include <map>
 #include <numeric>
 #include <sstream>
 
-#include "homolog/base/errors.h"
+#include "text_lines.h"
 
 namespace homolog::bench {
 namespace {
 
-FileError malformed(const std::filesystem::path& file, const std::string& line) {
-  return FileError(fmt::format("{}: cannot understand '{}'", file.string(), line));
+// A map needs as many.
+constexpr std::size_t least_points = 4;
+
+FileError malformed(const TextLines& lines) { return fault_at(lines, fmt::format("cannot understand '{}'", lines.line)); }
+
+void check_vertex(const TextLines& lines, int vertex, std::size_t count) {
+  if (vertex >= 0 && static_cast<std::size_t>(vertex) < count) return;
+  throw fault_at(lines, fmt::format("there is no vertex {} among {}, counted from 0", vertex, count));
 }
 
 // "L" of "foot_L" and the like, with its opposite.
@@ -45,58 +50,66 @@ std::vector<std::size_t> swap_by_names(const std::vector<Landmark>& landmarks) {
 
 std::vector<IdentityGroup> read_identity_groups(const std::filesystem::path& set) {
   std::vector<IdentityGroup> groups;
-  std::ifstream in(set / "IDENTITY.corr.txt");
-  for (std::string line; std::getline(in, line);) {
-    // "... for every pair of: a b c  (843 vertices each)"
+  TextLines lines{.file = set / "IDENTITY.corr.txt"};
+  while (next_line(lines)) {
+    // "# ... for every pair of: a b c  (843 vertices each)"
+    const std::string& line = lines.line;
+    if (line.empty()) continue;
     const auto colon = line.find(':'), bracket = line.rfind('(');
-    if (colon == std::string::npos || bracket == std::string::npos || bracket < colon) continue;
+    if (colon == std::string::npos || bracket == std::string::npos || bracket < colon) throw malformed(lines);
     IdentityGroup group;
+    group.line = lines.number;
     std::istringstream names(line.substr(colon + 1, bracket - colon - 1));
     for (std::string name; names >> name;) group.names.push_back(name);
-    if (!(std::istringstream(line.substr(bracket + 1)) >> group.vertices)) throw malformed(set / "IDENTITY.corr.txt", line);
+    if (!(std::istringstream(line.substr(bracket + 1)) >> group.vertices) || group.names.empty()) throw malformed(lines);
+    if (group.vertices < least_points) throw fault_at(lines, "fewer than four vertices do not tell a map");
     groups.push_back(std::move(group));
   }
   return groups;
 }
 
-std::vector<std::pair<int, int>> read_vertex_pairs(const std::filesystem::path& file) {
+std::vector<std::pair<int, int>> read_vertex_pairs(const std::filesystem::path& file, std::size_t a_count, std::size_t b_count) {
   std::vector<std::pair<int, int>> pairs;
-  std::ifstream in(file);
-  if (!in) throw FileError(fmt::format("{}: cannot be read", file.string()));
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
+  TextLines lines{.file = file};
+  if (!lines.in) throw FileError(fmt::format("{}: cannot be read", file.string()));
+  while (next_entry(lines)) {
     std::pair<int, int> pair;
-    if (!(std::istringstream(line) >> pair.first >> pair.second)) throw malformed(file, line);
+    if (!(std::istringstream(lines.line) >> pair.first >> pair.second)) throw malformed(lines);
+    check_vertex(lines, pair.first, a_count);
+    check_vertex(lines, pair.second, b_count);
     pairs.push_back(pair);
   }
+  if (pairs.size() < least_points) throw fault_at(lines, fmt::format("the file ends after {} pairs, and four are needed", pairs.size()));
   return pairs;
 }
 
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
   std::vector<Landmark> landmarks;
-  std::ifstream in(file);
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
+  TextLines lines{.file = file};
+  if (!lines.in) return landmarks;
+  while (next_entry(lines)) {
     Landmark landmark;
     Vec3& p = landmark.position;
-    if (!(std::istringstream(line) >> landmark.name >> p.x() >> p.y() >> p.z())) throw malformed(file, line);
+    if (!(std::istringstream(lines.line) >> landmark.name >> p.x() >> p.y() >> p.z())) throw malformed(lines);
     landmarks.push_back(std::move(landmark));
+  }
+  if (landmarks.size() < least_points) {
+    throw fault_at(lines, fmt::format("the file ends after {} landmarks, and four are needed", landmarks.size()));
   }
   return landmarks;
 }
 
 std::vector<std::size_t> read_swap(const std::filesystem::path& file, const std::vector<Landmark>& landmarks) {
-  std::ifstream in(file);
-  if (!in) return swap_by_names(landmarks);
+  TextLines lines{.file = file};
+  if (!lines.in) return swap_by_names(landmarks);
   std::vector<std::size_t> swap(landmarks.size());
   std::iota(swap.begin(), swap.end(), std::size_t{0});
-  for (std::string line; std::getline(in, line);) {
-    if (line.empty() || line[0] == '#') continue;
-    std::istringstream numbers(line);
+  while (next_entry(lines)) {
+    std::istringstream numbers(lines.line);
     std::size_t a = 0, b = 0;
-    if (!(numbers >> a) || a >= landmarks.size()) throw malformed(file, line);
+    if (!(numbers >> a) || a >= landmarks.size()) throw malformed(lines);
     if (!(numbers >> b)) continue;
-    if (b >= landmarks.size()) throw malformed(file, line);
+    if (b >= landmarks.size()) throw malformed(lines);
     swap[a] = b;
     swap[b] = a;
   }

@@ -14,6 +14,7 @@ namespace homolog::bench {
 struct IdentityGroup {
   std::vector<std::string> names;
   std::size_t vertices = 0;  ///< the first so many correspond by number
+  int line = 0;              ///< of the file
 };
 
 struct Landmark {
@@ -21,13 +22,16 @@ struct Landmark {
   Vec3 position;
 };
 
-/// IDENTITY.corr.txt of a set: one group of meshes a line. Empty when there is no such file.
+/// IDENTITY.corr.txt of a set: one group of meshes a line. Empty when there is no such file; throws FileError for a
+/// malformed line.
 std::vector<IdentityGroup> read_identity_groups(const std::filesystem::path& set);
 
-/// A__B.corr.txt: vertex numbers "ia ib", from 0. Throws FileError for a malformed line.
-std::vector<std::pair<int, int>> read_vertex_pairs(const std::filesystem::path& file);
+/// A__B.corr.txt: vertex numbers "ia ib", from 0. Throws FileError for a malformed line, a vertex that A (of so many) or B does not have,
+/// and fewer than 4 pairs.
+std::vector<std::pair<int, int>> read_vertex_pairs(const std::filesystem::path& file, std::size_t a_count, std::size_t b_count);
 
-/// X.landmarks.txt: "name x y z". Empty when there is no such file; throws FileError for a malformed line.
+/// X.landmarks.txt: "name x y z". Empty when there is no such file; throws FileError for a malformed line, and for
+/// fewer than 4 landmarks.
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file);
 
 /// For each of `landmarks`, which one it becomes when left and right are swapped: by X.symmetry.txt, else by the names'
