@@ -56,7 +56,8 @@ std::vector<Case> chosen_cases(const Options& options) {
   return cases;
 }
 
-void run(const Options& options) {
+// The exit status: 1 when there is something to complain of.
+int run(const Options& options) {
   std::ofstream rows;
   if (!options.rows.empty()) {
     rows.open(options.rows);
@@ -70,6 +71,9 @@ void run(const Options& options) {
     if (rows.is_open()) rows << row(result) << '\n' << std::flush;
   });
   fmt::print("\n{}", summary(results));
+  const std::string wrong = complaint(results);
+  if (!wrong.empty()) fmt::print(stderr, "bench_accuracy: {}\n", wrong);
+  return wrong.empty() ? 0 : 1;
 }
 
 }  // namespace
@@ -83,10 +87,9 @@ int main(int argc, char** argv) {
     if (options.folder.empty() != options.generate) throw ParamError("give either a FOLDER or --generate");
     if (!options.preset.empty()) options.run.params = preset(options.preset);
     set_parameters(options.run.params, options.parameters);
-    run(options);
+    return run(options);
   } catch (const std::exception& error) {
     fmt::print(stderr, "bench_accuracy: {}\n", error.what());
     return 2;
   }
-  return 0;
 }

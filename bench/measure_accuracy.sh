@@ -8,6 +8,7 @@ cd "$(dirname "$0")/.."
 
 folder=$(realpath -e "${1:?measure_accuracy: give the folder of pairs.tsv}")
 only=${2:-.} bench=build/release/bench rows=build/accuracy
+failed=0  # a pair in error must not stop the rest
 mkdir -p "$rows"
 
 # Every second whole model of the list, once, is what cases are made of.
@@ -24,7 +25,7 @@ told() {
   echo "measure_accuracy: $title" >&2
   shown=$(sed -E "s|( --mesh [^ ]+)+| --mesh MESH...|; s|$folder|FOLDER|g; s|$rows/||g; s|$bench/||g" <<<"$*")
   printf '\n## %s\n\n`%s`\n\n```\n' "$title" "$shown"
-  "$@" | sed '/^task  *model/,/^$/d'
+  "$@" | sed '/^task  *model/,/^$/d' || failed=1
   printf '```\n'
 }
 accuracy() { local title=$1 name=$2; shift 2; told "$title" "$bench/bench_accuracy" "$@" --rows "$rows/$name.tsv"; }
@@ -52,3 +53,4 @@ accuracy "Generated cases: heaps of pieces that share nothing" strangers --gener
 told "Carried points" "$bench/bench_transfer" "$folder"
 told "Dense maps" "$bench/bench_dense" "$folder"
 told "Every parameter otherwise" bench/parameter_reasons.sh "$folder"
+exit "$failed"

@@ -16,11 +16,13 @@ others=(
   descriptor=axial shells=linear shell-count={5,12} degree={5,12} inner={0.35,0.7} outer={5,12} searched-points={50,200} partners={5,20}
   bending={0.006,0.04} mirror=forbid seeds=quadruples
 )
+failed=0  # a pair in error must not stop the rest
 printf '%-22s %5s %6s %6s %6s %9s %9s %6s\n' "$(git describe --always --dirty)" right 'in six' direct share transfer mean 'CPU s'
 for other in default "${others[@]}"; do
   echo "parameter_reasons: $other" >&2
   param=(--param "$other")
   [[ $other != default ]] || param=()
   build/release/bench/bench_accuracy "$rows/few" "${param[@]}" --rows "$rows/$other.tsv" |
-    awk -v name="$other" '$1 == "all" { printf "%-22s %5.0f %6s %6s %6s %9s %9s %6s\n", name, $2 * $4, $5, $6, $7, $9, $10, $14 }'
+    awk -v name="$other" '$1 == "all" { printf "%-22s %5.0f %6s %6s %6s %9s %9s %6s\n", name, $2 * $4, $5, $6, $7, $9, $10, $14 }' || failed=1
 done
+exit "$failed"

@@ -166,6 +166,12 @@ double calibration_error(const std::vector<const Result*>& results) {
   return count > 0 ? error / count : 0;
 }
 
+std::string complaint(const std::vector<Result>& results) {
+  if (results.empty()) return "there are no pairs to match: the list is empty, or none is of this name and task";
+  const auto errors = std::ranges::count_if(results, [](const Result& r) { return !r.score.error.empty(); });
+  return errors > 0 ? fmt::format("{} of {} pairs ended in an error", errors, results.size()) : "";
+}
+
 std::string summary(const std::vector<Result>& results) {
   Group all, sharing_nothing, judged;
   for (const Result& r : results) {

@@ -30,6 +30,9 @@ std::string readable_header();
 /// The table per task and per set, calibration of the confidence, handedness, and where right answers were lost.
 std::string summary(const std::vector<Result>& results);
 
+/// Why the run has not measured what it was asked to: no pairs, or some threw. Empty when it has.
+std::string complaint(const std::vector<Result>& results);
+
 /// Expected calibration error of the first match's confidence against its success, in 5 bins over the found.
 double calibration_error(const std::vector<const Result*>& results);
 

@@ -183,6 +183,14 @@ TEST(Summary, NothingFoundCountsZeroAndErrorsAreFailures) {
   EXPECT_NE(readable_row(results[1]).find("error: thrown"), std::string::npos);
 }
 
+TEST(Summary, ARunWithoutPairsOrWithErrorsIsComplainedOf) {
+  std::vector<Result> results(2);
+  EXPECT_EQ(complaint(results), "");
+  results[1].score.error = "thrown";
+  EXPECT_EQ(complaint(results), "1 of 2 pairs ended in an error");
+  EXPECT_NE(complaint({}).find("no pairs"), std::string::npos);
+}
+
 TEST(Summary, UnrelatedPairsThatThrowAreErrorsAndNotUnclaimed) {
   std::vector<Result> results(3);
   for (Result& r : results) r.pair = {unrelated, "set/a", "set/b", ""};
