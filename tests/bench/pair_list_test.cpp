@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bench/folder.h"
+#include "folder.h"
 
 namespace homolog::bench {
 namespace {

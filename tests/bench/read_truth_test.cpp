@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bench/folder.h"
+#include "folder.h"
 #include "homolog/shape/read_mesh.h"
 
 namespace homolog::bench {
