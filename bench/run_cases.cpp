@@ -34,18 +34,10 @@ std::string told_text(const Family& family) {
   return text;
 }
 
-// The truth goes where the shapes were turned to.
-Truth turned_truth(TruePoints points, const Similarity& model_turn, const Similarity& data_turn) {
-  for (Vec3& p : points.model) p = model_turn(p);
-  for (Vec3& p : points.data) p = data_turn(p);
-  for (Vec3& p : points.swapped_data) p = data_turn(p);
-  return make_truth(points);
-}
-
 PairScore score(const Case& one, const Family& family, const DescribedShape& model, const DescribedShape& data) {
   if (one.pair.task == unrelated) return score_unrelated(family, model.shape.points, data.shape.points);
   std::vector<Truth> truths;
-  for (TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(turned_truth(std::move(points), model.turn, data.turn));
+  for (const TruePoints& points : one.truths(model.mesh, data.mesh)) truths.push_back(make_truth(points, model.turn, data.turn));
   if (truths.empty()) return score_unrelated(family, model.shape.points, data.shape.points);
   PairScore result = score_instances(family, model.shape.points, data.shape.points, truths, data.diagonal);
   if (truths.size() == 1 && !truths[0].direct.dense && result.found) {

@@ -60,16 +60,23 @@ void fit_spline(TrueMap& map) {
   map.constant = solution.row(n).transpose();
 }
 
-TrueMap make_map(bool dense, bool mirrored, const std::vector<Vec3>& model, const std::vector<Vec3>& data) {
+std::vector<Vec3> moved(const Similarity& turn, std::vector<Vec3> points) {
+  for (Vec3& p : points) p = turn(p);
+  return points;
+}
+
+// A box along the axes grows and shrinks as its points are turned, and what is judged must not change with that.
+TrueMap make_map(const TruePoints& points, bool mirrored, const std::vector<Vec3>& data, const Similarity& model_turn,
+                 const Similarity& data_turn) {
   TrueMap map;
-  map.dense = dense;
+  map.dense = points.dense;
   map.mirrored = mirrored;
-  map.model = model;
-  map.data = data;
-  map.whole = fit_similarity(model, data, mirrored);
-  map.model_extent = extent(model);
-  map.data_extent = extent(data);
-  if (!dense) fit_spline(map);
+  map.model = moved(model_turn, points.model);
+  map.data = moved(data_turn, data);
+  map.whole = fit_similarity(map.model, map.data, mirrored);
+  map.model_extent = model_turn.scale * extent(points.model);
+  map.data_extent = data_turn.scale * extent(data);
+  if (!map.dense) fit_spline(map);
   return map;
 }
 
@@ -98,12 +105,12 @@ std::optional<Placed> carry_by_landmarks(const TrueMap& map, const Vec3& x) {
 
 }  // namespace
 
-Truth make_truth(const TruePoints& points) {
+Truth make_truth(const TruePoints& points, const Similarity& model_turn, const Similarity& data_turn) {
   if (points.model.size() < 4 || points.model.size() != points.data.size()) {
     throw std::invalid_argument("a truth needs at least four pairs of true points");
   }
-  Truth truth{make_map(points.dense, points.mirrored, points.model, points.data), std::nullopt};
-  if (!points.swapped_data.empty()) truth.swapped = make_map(points.dense, !points.mirrored, points.model, points.swapped_data);
+  Truth truth{make_map(points, points.mirrored, points.data, model_turn, data_turn), std::nullopt};
+  if (!points.swapped_data.empty()) truth.swapped = make_map(points, !points.mirrored, points.swapped_data, model_turn, data_turn);
   return truth;
 }
 

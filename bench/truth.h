@@ -32,7 +32,7 @@ struct TrueMap {
   Similarity whole;           ///< of all points
   std::vector<Vec3> weights;  ///< landmarks: kernel-r spline through what `whole` leaves over
   Vec3 constant = Vec3::Zero();
-  double model_extent = 0, data_extent = 0;  ///< diagonals of the boxes around the points
+  double model_extent = 0, data_extent = 0;  ///< diagonals of the boxes around the points as they were before any turn
 };
 
 struct Truth {
@@ -42,8 +42,8 @@ struct Truth {
   const TrueMap& answer(bool of_swapped) const { return of_swapped ? *swapped : direct; }
 };
 
-/// Needs at least 4 true pairs; throws std::invalid_argument for fewer.
-Truth make_truth(const TruePoints& points);
+/// The truth of the shapes turned so. Needs at least 4 true pairs; throws std::invalid_argument for fewer.
+Truth make_truth(const TruePoints& points, const Similarity& model_turn = {}, const Similarity& data_turn = {});
 
 /// Where a point inside the model lies in the data. Dense truth: the similarity of the true vertices within 1.5 radius, at least
 /// the 12 nearest. Landmarks: the similarity that weighs near landmarks most; none where no landmark is near, or where a spline

@@ -60,6 +60,20 @@ TEST(Truth, LandmarksDoNotPlaceWhatIsFarFromThem) {
   EXPECT_FALSE(carry(truth.direct, {3, 0, 0}, 0.1));
 }
 
+TEST(Truth, TurnsDoNotChangeWhatLandmarksTell) {
+  const auto model = cloud(20);
+  auto data = model;
+  for (Vec3& p : data) p.z() += 0.3 * std::sin(3 * p.x());
+  const TruePoints points{false, false, model, data, {}};
+  const Similarity a = random_similarity(1, "a", 1), b = random_similarity(1, "b", 1);
+  const Truth plain = make_truth(points), turned = make_truth(points, a, b);
+  for (const Vec3& x : cloud(300)) {
+    const auto placed = carry(plain.direct, 1.3 * x, 0.1), again = carry(turned.direct, a(1.3 * x), 0.1 * a.scale);
+    ASSERT_EQ(placed.has_value(), again.has_value());
+    if (placed) EXPECT_LT((b(placed->position) - again->position).norm() / b.scale, 1e-6);
+  }
+}
+
 TEST(Truth, RandomTurnsRepeatAndDiffer) {
   const Similarity a = random_similarity(1, "a", 1), again = random_similarity(1, "a", 1), b = random_similarity(1, "b", 1);
   EXPECT_EQ(a.rotation, again.rotation);
