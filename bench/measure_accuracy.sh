@@ -39,6 +39,8 @@ accuracy "The public list" public "$folder"
 accuracy "The paper's choices on it" paper "$folder" --preset paper
 accuracy "The public list turned, scaled and moved otherwise" turned "$folder" --turn 7
 told "How much that changes" bench/compare_rows.py "$rows/public.tsv" "$rows/turned.tsv"
+accuracy "The public list with its models turned, scaled and moved, too" model_turned "$folder" --turn-model 7
+told "How much that changes besides" bench/compare_rows.py "$rows/public.tsv" "$rows/model_turned.tsv"
 python3 bench/more_pairs.py "$folder" "$rows/more" >&2
 accuracy "Other pairs of the same shapes, and pairs that share nothing" more "$rows/more"
 python3 -m venv "$rows/venv"
