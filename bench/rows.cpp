@@ -76,18 +76,21 @@ std::string row(const Result& result) {
 }
 
 std::string readable_header() {
-  return fmt::format("{:<9} {:<39} {:<34} {:<8} {:>4} {:>9} {:>6} {:>6} {:>5} {:>9} {:>9} {:>7}  {}", "task", "model", "data", "outcome",
-                     "rank", "right/prs", "median", "mean", "conf", "points", "findable", "lost", "CPU s");
+  return fmt::format("{:<9} {:<39} {:<34} {:<8} {:>4} {:>9} {:>6} {:>6} {:>5} {:>5} {:>5} {:>9} {:>4} {:>9} {:>9} {:>7}  {}", "task",
+                     "model", "data", "outcome", "rank", "right/prs", "median", "mean", "<=.05", "<=.10", "conf", "hand", "inst", "points",
+                     "findable", "lost", "CPU s");
 }
 
 std::string readable_row(const Result& result) {
   const PairScore& s = result.score;
   if (!s.error.empty()) return fmt::format("{:<9} {:<39} {:<34} error: {}", result.pair.task, result.pair.model, result.pair.data, s.error);
-  return fmt::format("{:<9} {:<39} {:<34} {:<8} {:>4} {:>9} {:>6.3f} {:>6.3f} {:>5.2f} {:>9} {:>9} {:>7}  {:.2f}", result.pair.task,
-                     result.pair.model, result.pair.data, outcome(result), s.first_right,
-                     fmt::format("{}/{}{}", s.first.right, s.first.judged, s.first.swapped ? "s" : ""), s.transfer.median, s.transfer.mean,
-                     s.confidence, fmt::format("{}x{}", s.model_points, s.data_points), fmt::format("{}/{}", s.findable_found, s.findable),
-                     result.judged ? stage_name(s.lost) : "-", result.cpu_seconds);
+  return fmt::format(
+      "{:<9} {:<39} {:<34} {:<8} {:>4} {:>9} {:>6.3f} {:>6.3f} {:>5.2f} {:>5.2f} {:>5.2f} {:>9} {:>4} {:>9} {:>9} {:>7}  {:.2f}",
+      result.pair.task, result.pair.model, result.pair.data, outcome(result), s.first_right,
+      fmt::format("{}/{}{}", s.first.right, s.first.judged, s.first.swapped ? "s" : ""), s.transfer.median, s.transfer.mean,
+      s.transfer.within_05, s.transfer.within_10, s.confidence, s.found ? handedness_name(s.handedness) : "-",
+      fmt::format("{}/{}", s.instances_right, s.instances), fmt::format("{}x{}", s.model_points, s.data_points),
+      fmt::format("{}/{}", s.findable_found, s.findable), result.judged ? stage_name(s.lost) : "-", result.cpu_seconds);
 }
 
 }  // namespace homolog::bench
