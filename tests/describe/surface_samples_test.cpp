@@ -51,6 +51,19 @@ TEST(SurfaceSamples, APrefixIsWhatFewerSamplesWouldBe) {
   for (std::size_t i = 0; i < few.size(); ++i) EXPECT_EQ(few[i].position, all[i].position);
 }
 
+TEST(SurfaceSamples, TheirDiagonalIsThatOfTheirBoxHoweverTheyAreTurned) {
+  const auto samples = sample_surface(rasterize(box({1, 2, 3}, {0.3, 0.6, 0.2}), 48), 2000);
+  const double diagonal = diagonal_of(samples);
+  EXPECT_NEAR(diagonal / (2 * Vec3(0.3, 0.6, 0.2).norm()), 1, 0.05);
+  for (const int seed : {1, 2, 3}) {
+    const Similarity move{random_rotation(seed), 20, {100, 0, -7}};
+    auto turned = samples;
+    for (SurfaceSample& s : turned) s.position = move(s.position);
+    EXPECT_NEAR(diagonal_of(turned) / (20 * diagonal), 1, 1e-12);
+  }
+  EXPECT_EQ(diagonal_of({}), 0);
+}
+
 TEST(SurfaceSamples, ASmallSolidGivesFewerThanAskedForAndAnEmptyOneNone) {
   const GridFrame frame{{8, 8, 8}, Vec3::Constant(-3.5), 1};
   const auto samples = sample_surface(rasterize(ball(Vec3::Zero(), 2), frame), 1000);

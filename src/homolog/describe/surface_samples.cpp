@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "homolog/describe/surface_samples.h"
 
-#include <Eigen/Geometry>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -141,9 +141,13 @@ std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples) {
 }
 
 double diagonal_of(const std::vector<SurfaceSample>& samples) {
-  Eigen::AlignedBox3d box;
-  for (const SurfaceSample& s : samples) box.extend(s.position);
-  return box.diagonal().norm();
+  if (samples.empty()) return 0;
+  Eigen::Matrix3Xd places(3, samples.size());
+  for (std::size_t i = 0; i < samples.size(); ++i) places.col(static_cast<Eigen::Index>(i)) = samples[i].position;
+  places.colwise() -= places.rowwise().mean().eval();
+  const Mat3 axes = Eigen::SelfAdjointEigenSolver<Mat3>(places * places.transpose()).eigenvectors();
+  const Eigen::Matrix3Xd along = axes.transpose() * places;
+  return (along.rowwise().maxCoeff() - along.rowwise().minCoeff()).norm();
 }
 
 double typical_spacing(const std::vector<Vec3>& places) {

@@ -18,7 +18,7 @@ std::vector<SurfaceSample> sample_surface(const Interior& interior, int count);
 
 std::vector<Vec3> positions_of(const std::vector<SurfaceSample>& samples);
 
-/// Of the box around them.
+/// Of the box around them along their principal axes, which turn with them; 0 of none.
 double diagonal_of(const std::vector<SurfaceSample>& samples);
 
 /// Median distance of a place to the nearest other one; 0 for fewer than two.
