@@ -48,9 +48,6 @@ void check_count(const Member& member, const IdentityGroup& group) {
 IdentityGroup group_of(const Member& data) {
   for (const IdentityGroup& group : read_identity_groups(data.set)) {
     if (!is_in(group, data.name)) continue;
-    for (const std::string& name : group.names) {
-      if (!fs::exists(data.set / (name + ".off"))) throw fault_of(data.set, group, fmt::format("there is no {}.off", name));
-    }
     check_count(data, group);
     return group;
   }
@@ -159,14 +156,17 @@ std::optional<TruePoints> TruthReader::read(const PairEntry& pair, const Mesh& m
                         read_swap(data.set / (data.name + ".symmetry.txt"), data_landmarks));
 }
 
-// One mesh of an identity group that stands symmetric tells the symmetry of all. What cannot be read is not remembered as without one.
+// One mesh of an identity group that stands symmetric tells the symmetry of all; a folder may hold but some of them. What cannot be read is
+// not remembered as without one.
 const std::vector<int>& TruthReader::vertex_symmetry(const fs::path& set, const IdentityGroup& group) {
   const std::lock_guard lock(mutex_);
   const std::string key = (set / group.names.front()).string();
   if (const auto known = symmetries_.find(key); known != symmetries_.end()) return known->second;
   std::vector<int> swap;
   for (std::size_t i = 0; i < group.names.size() && swap.empty(); ++i) {
-    const Mesh mesh = read_mesh(set / (group.names[i] + ".off"));
+    const fs::path file = set / (group.names[i] + ".off");
+    if (!fs::exists(file)) continue;
+    const Mesh mesh = read_mesh(file);
     check_count({set, group.names[i], mesh}, group);
     swap = mirror_symmetry(mesh.vertices, group.vertices);
   }

@@ -56,7 +56,10 @@ std::vector<IdentityGroup> read_identity_groups(const std::filesystem::path& set
     const std::string& line = lines.line;
     if (line.empty()) continue;
     const auto colon = line.find(':'), bracket = line.rfind('(');
-    if (colon == std::string::npos || bracket == std::string::npos || bracket < colon) throw malformed(lines);
+    if (colon == std::string::npos || bracket == std::string::npos || bracket < colon) {
+      if (line[0] == '#') continue;  // a remark
+      throw malformed(lines);
+    }
     IdentityGroup group;
     group.line = lines.number;
     std::istringstream names(line.substr(colon + 1, bracket - colon - 1));
