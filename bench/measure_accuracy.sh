@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Measures all of docs/accuracy.md in one run and prints docs/accuracy_output.md; some 90 minutes on two cores. Rows of every run lie in
+# Measures all of docs/accuracy.md in one run and prints docs/accuracy_output.md; some two hours on two cores. Rows of every run lie in
 # build/accuracy. Progress goes to stderr.
 #   bench/measure_accuracy.sh FOLDER >docs/accuracy_output.md      FOLDER: pairs.tsv, its shapes and truth (bench/README.md)
 #   bench/measure_accuracy.sh FOLDER 'Dense|Carried'               only the sections whose titles match
