@@ -108,13 +108,18 @@ void check_finite(const std::vector<CarriedPoint>& points, bool only_there, cons
   }
 }
 
-std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction,
-                                             const TransferOptions& options) {
+/// Of those that have one.
+std::vector<Vec3> places_of(const std::vector<MarkupPoint>& points) {
   std::vector<Vec3> places;
   for (const MarkupPoint& point : points) {
     if (point.position) places.push_back(*point.position);
   }
-  const std::vector<CarriedPoint> carried = carry_points(match, places, direction);
+  return places;
+}
+
+std::vector<CarriedLandmark> carry_landmarks(const MatchMap& match, const std::vector<MarkupPoint>& points, Direction direction,
+                                             const TransferOptions& options) {
+  const std::vector<CarriedPoint> carried = carry_points(match, places_of(points), direction);
   check_finite(carried, true, options.points, options.match.file);
   std::vector<CarriedLandmark> landmarks;
   std::size_t next = 0;
@@ -163,11 +168,7 @@ Carried carry_mesh(const MatchMap& match, const TransferOptions& options, const 
 
 void warn_of_misplaced_points(const std::vector<MarkupPoint>& points, const std::string& file, const MatchedShape& shape,
                               Console& console) {
-  std::vector<Vec3> places;
-  for (const MarkupPoint& point : points) {
-    if (point.position) places.push_back(*point.position);
-  }
-  if (const std::string asked = misplaced_points(places, file, shape); !asked.empty()) console.warn(asked);
+  if (const std::string asked = misplaced_points(places_of(points), file, shape); !asked.empty()) console.warn(asked);
 }
 
 Carried carry_file(const MatchMap& match, const TransferOptions& options, const StoredShape& from, const StoredShape& to,

@@ -6,10 +6,7 @@
 
 #include <filesystem>
 #include <fstream>
-#include <functional>
 #include <string>
-
-#include "homolog/base/errors.h"
 
 namespace homolog::bench {
 
@@ -27,13 +24,5 @@ struct Folder {
     std::ofstream(path / name, std::ios::binary) << text;
   }
 };
-
-/// What the FileError says that this throws; empty when it throws none.
-inline std::string fault_of(const std::function<void()>& act) try {
-  act();
-  return "";
-} catch (const FileError& error) {
-  return error.what();
-}
 
 }  // namespace homolog::bench

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "folder.h"
+#include "outputs/message_of.h"
 
 namespace homolog::bench {
 namespace {
@@ -25,7 +26,7 @@ TEST(PairList, ReadsLinesOfEitherSystem) {
 
 TEST(PairList, RefusesWhatIsNone) {
   const Folder folder;
-  const auto fault = [&] { return fault_of([&] { read_pairs(folder.path); }); };
+  const auto fault = [&] { return message_of([&] { read_pairs(folder.path); }); };
   EXPECT_THAT(fault(), HasSubstr("pairs.tsv: cannot be read"));
   folder.write("pairs.tsv", "");
   EXPECT_THAT(fault(), HasSubstr("pairs.tsv, line 1: expected the columns' names"));

@@ -8,6 +8,7 @@
 
 #include "folder.h"
 #include "homolog/shape/read_mesh.h"
+#include "outputs/message_of.h"
 
 namespace homolog::bench {
 namespace {
@@ -36,7 +37,7 @@ class ReadTruth : public testing::Test {
     return reader.read({"whole", model, data, ""}, mesh(model), mesh(data));
   }
   std::string fault(const std::string& model = "s/a", const std::string& data = "s/b") {
-    return fault_of([&] { read(model, data); });
+    return message_of([&] { read(model, data); });
   }
 
   Folder folder;
@@ -104,7 +105,7 @@ TEST_F(ReadTruth, RefusesFaultyIdentityGroups) {
   EXPECT_EQ(fault(), "") << "the symmetry is known";
   TruthReader anew(folder.path);
   for (int again = 0; again < 2; ++again) {
-    EXPECT_THAT(fault_of([&] { anew.read({"whole", "s/a", "s/b", ""}, mesh("s/a"), mesh("s/b")); }), HasSubstr("gone.off"));
+    EXPECT_THAT(message_of([&] { anew.read({"whole", "s/a", "s/b", ""}, mesh("s/a"), mesh("s/b")); }), HasSubstr("gone.off"));
   }
 }
 

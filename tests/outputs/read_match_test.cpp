@@ -40,6 +40,12 @@ struct ReadFamily : testing::Test {
                  write_parts_json({mesh, model}, {mesh, data}, std::vector<MatchParts>(matches, part), sink);
                }));
   }
+  void write_changed_parts(const std::string& from, const std::string& to) {
+    write_parts(1);
+    std::string parts = read_file(folder / "parts.json");
+    parts.replace(parts.find(from), from.size(), to);
+    write_file(folder / "parts.json", parts);
+  }
   std::string message() const {
     try {
       read_family(folder / "match.json");
@@ -143,18 +149,12 @@ TEST_F(ReadFamily, RefusesWarpsThatCannotBe) {
 }
 
 TEST_F(ReadFamily, RefusesWeightsOfPartsThatAreNoShares) {
-  write_parts(1);
-  std::string parts = read_file(folder / "parts.json");
-  parts.replace(parts.find("0.25"), 4, "2.25");
-  write_file(folder / "parts.json", parts);
+  write_changed_parts("0.25", "2.25");
   EXPECT_THAT(message(), HasSubstr("parts.json: a weight is not from 0 to 1; the file is damaged"));
 }
 
 TEST_F(ReadFamily, RefusesABoxOfPartsThatIsNone) {
-  write_parts(1);
-  std::string parts = read_file(folder / "parts.json");
-  parts.replace(parts.find("[0.5,2.0,3.0]"), 13, "[0.5,-2.0,3.0]");
-  write_file(folder / "parts.json", parts);
+  write_changed_parts("[0.5,2.0,3.0]", "[0.5,-2.0,3.0]");
   EXPECT_THAT(message(), HasSubstr("parts.json: a box has no least and greatest place; the file is damaged"));
 }
 

@@ -25,7 +25,8 @@ struct Side {
   const Mesh& mesh;
   CoarseSurface surface;
   Places samples;
-  GridFrame frame;  ///< of the voxels, half a voxel around what was described
+  GridFrame frame;              ///< of the voxels, half a voxel around what was described
+  std::optional<Box> box = {};  ///< PartWeights::box
 
   Places vertices() const { return {surface.mesh.vertices, surface.normals}; }
 };
@@ -36,14 +37,6 @@ struct LaidSide {
   NearestSurface surface;  ///< through the vertices
 };
 
-Side make_side(const MeshedShape& meshed, std::size_t most_asked) {
-  const GridFrame& frame = meshed.shape.interior.frame;
-  Side side{meshed.mesh, coarse_surface(meshed.mesh, cell_size * frame.spacing, most_asked), {}, frame};
-  side.samples.positions = positions_of(meshed.shape.surface);
-  for (const SurfaceSample& s : meshed.shape.surface) side.samples.normals.push_back(s.normal);
-  return side;
-}
-
 bool in_use(const Side& side, const Vec3& x) {
   const Vec3 v = side.frame.voxel_from_world(x);
   const auto& [nx, ny, nz] = side.frame.size;
@@ -51,12 +44,21 @@ bool in_use(const Side& side, const Vec3& x) {
 }
 
 /// Parts are told by the file's axes, and so stand their grids.
-std::optional<Box> part_in_use(const Side& side) {
+std::optional<Box> box_of_part(const Side& side) {
   const std::vector<Vec3>& vertices = side.mesh.vertices;
   if (!side.frame.axes.isIdentity(0) || std::all_of(vertices.begin(), vertices.end(), [&](const Vec3& x) { return in_use(side, x); }))
     return {};
   const auto& [nx, ny, nz] = side.frame.size;
   return Box{side.frame.origin, side.frame.world_from_voxel(Vec3(nx - 1, ny - 1, nz - 1))};
+}
+
+Side make_side(const MeshedShape& meshed, std::size_t most_asked) {
+  const GridFrame& frame = meshed.shape.interior.frame;
+  Side side{meshed.mesh, coarse_surface(meshed.mesh, cell_size * frame.spacing, most_asked), {}, frame};
+  side.samples.positions = positions_of(meshed.shape.surface);
+  for (const SurfaceSample& s : meshed.shape.surface) side.samples.normals.push_back(s.normal);
+  side.box = box_of_part(side);
+  return side;
 }
 
 Places laid(const Places& places, const ThinPlateSpline& data_from_model) {
@@ -114,7 +116,7 @@ std::vector<float> vertex_weights(const Side& side, std::vector<float> weights) 
 PartWeights weigh_both(const LaidSide& laid_side, const Side& side, const LaidSide& other, const Side& other_side,
                        const Tolerance& tolerance) {
   return {vertex_weights(side, weigh(laid_side.vertices, side.surface.mesh.vertices, side, other.surface, other_side, tolerance)),
-          weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance), part_in_use(side)};
+          weigh(laid_side.samples, side.samples.positions, side, other.surface, other_side, tolerance), side.box};
 }
 
 }  // namespace
