@@ -6,23 +6,29 @@
 
 #include <sstream>
 
-#include "text_lines.h"
+#include "homolog/base/errors.h"
+#include "homolog/shape/text.h"
+#include "truth_files.h"
 
 namespace homolog::bench {
 
 std::vector<PairEntry> read_pairs(const std::filesystem::path& folder) {
-  TextLines lines{.file = folder / "pairs.tsv"};
-  if (!lines.in) throw FileError(fmt::format("{}: cannot be read", lines.file.string()));
-  if (!next_line(lines) || !lines.line.starts_with("task\tmodel\tdata")) {
-    throw fault_at(lines, "expected the columns' names: task, model, data, separated by tabs");
+  const std::filesystem::path file = folder / "pairs.tsv";
+  if (!std::filesystem::exists(file)) throw FileError(fmt::format("{}: cannot be read", file.string()));
+  const std::string content = content_of(file);
+  Text text{file.string(), content};
+  std::string_view line;
+  if (!next_line(text, line) || !line.starts_with("task\tmodel\tdata")) {
+    text.line = 1;  // of an empty file, too
+    fail(text, "expected the columns' names: task, model, data, separated by tabs");
   }
   std::vector<PairEntry> pairs;
-  while (next_line(lines)) {
-    if (lines.line.empty()) continue;
-    std::istringstream columns(lines.line);
+  while (next_line(text, line)) {
+    if (line.empty()) continue;
+    std::istringstream columns{std::string(line)};
     PairEntry pair;
     for (std::string* column : {&pair.task, &pair.model, &pair.data, &pair.truth}) std::getline(columns, *column, '\t');
-    if (pair.data.empty()) throw fault_at(lines, "expected at least task, model and data");
+    if (pair.data.empty()) fail(text, "expected at least task, model and data");
     pairs.push_back(std::move(pair));
   }
   return pairs;

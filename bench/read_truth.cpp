@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "homolog/shape/read_mesh.h"
+#include "homolog/shape/text.h"
 #include "mirror_symmetry.h"
 #include "surface_distance.h"
-#include "text_lines.h"
 
 namespace homolog::bench {
 namespace {
@@ -34,14 +34,14 @@ struct Member {
   const Mesh& mesh;
 };
 
-FileError fault_of(const fs::path& set, const IdentityGroup& group, const std::string& what) {
-  return fault_at(set / "IDENTITY.corr.txt", group.line, what);
+[[noreturn]] void fail_in(const fs::path& set, const IdentityGroup& group, const std::string& what) {
+  fail(Text{(set / "IDENTITY.corr.txt").string(), {}, group.line}, what);
 }
 
 void check_count(const Member& member, const IdentityGroup& group) {
   const std::size_t count = member.mesh.vertices.size();
   if (count >= group.vertices) return;
-  throw fault_of(member.set, group, fmt::format("{} has {} vertices, not {}", member.name, count, group.vertices));
+  fail_in(member.set, group, fmt::format("{} has {} vertices, not {}", member.name, count, group.vertices));
 }
 
 // The identity group of a mesh; a mesh without one is alone in its own.

@@ -7,7 +7,8 @@
 #include <numeric>
 #include <sstream>
 
-#include "text_lines.h"
+#include "homolog/base/read_file.h"
+#include "homolog/shape/text.h"
 
 namespace homolog::bench {
 namespace {
@@ -15,11 +16,24 @@ namespace {
 // A map needs as many.
 constexpr std::size_t least_points = 4;
 
-FileError malformed(const TextLines& lines) { return fault_at(lines, fmt::format("cannot understand '{}'", lines.line)); }
+[[noreturn]] void fail_malformed(const Text& text, std::string_view line) { fail(text, fmt::format("cannot understand '{}'", line)); }
 
-void check_vertex(const TextLines& lines, int vertex, std::size_t count) {
+[[noreturn]] void fail_at_end(Text text, std::size_t count, const char* what) {
+  ++text.line;
+  fail(text, fmt::format("the file ends after {} {}, and four are needed", count, what));
+}
+
+/// The next line that is neither empty nor a remark; false at the end. A # within a line may belong to a name.
+bool next_entry(Text& text, std::string_view& line) {
+  while (next_line(text, line)) {
+    if (!line.empty() && line[0] != '#') return true;
+  }
+  return false;
+}
+
+void check_vertex(const Text& text, int vertex, std::size_t count) {
   if (vertex >= 0 && static_cast<std::size_t>(vertex) < count) return;
-  throw fault_at(lines, fmt::format("there is no vertex {} among {}, counted from 0", vertex, count));
+  fail(text, fmt::format("there is no vertex {} among {}, counted from 0", vertex, count));
 }
 
 // "L" of "foot_L" and the like, with its opposite.
@@ -48,24 +62,30 @@ std::vector<std::size_t> swap_by_names(const std::vector<Landmark>& landmarks) {
 
 }  // namespace
 
+std::string content_of(const std::filesystem::path& file) {
+  return std::filesystem::exists(file) && std::filesystem::file_size(file) == 0 ? "" : read_file(file);
+}
+
 std::vector<IdentityGroup> read_identity_groups(const std::filesystem::path& set) {
   std::vector<IdentityGroup> groups;
-  TextLines lines{.file = set / "IDENTITY.corr.txt"};
-  while (next_line(lines)) {
+  const std::filesystem::path file = set / "IDENTITY.corr.txt";
+  if (!std::filesystem::exists(file)) return groups;
+  const std::string content = content_of(file);
+  Text text{file.string(), content};
+  for (std::string_view line; next_line(text, line);) {
     // "# ... for every pair of: a b c  (843 vertices each)"
-    const std::string& line = lines.line;
     if (line.empty()) continue;
     const auto colon = line.find(':'), bracket = line.rfind('(');
     if (colon == std::string::npos || bracket == std::string::npos || bracket < colon) {
       if (line[0] == '#') continue;  // a remark
-      throw malformed(lines);
+      fail_malformed(text, line);
     }
     IdentityGroup group;
-    group.line = lines.number;
-    std::istringstream names(line.substr(colon + 1, bracket - colon - 1));
+    group.line = text.line;
+    std::istringstream names(std::string(line.substr(colon + 1, bracket - colon - 1)));
     for (std::string name; names >> name;) group.names.push_back(name);
-    if (!(std::istringstream(line.substr(bracket + 1)) >> group.vertices) || group.names.empty()) throw malformed(lines);
-    if (group.vertices < least_points) throw fault_at(lines, "fewer than four vertices do not tell a map");
+    if (!(std::istringstream(std::string(line.substr(bracket + 1))) >> group.vertices) || group.names.empty()) fail_malformed(text, line);
+    if (group.vertices < least_points) fail(text, "fewer than four vertices do not tell a map");
     groups.push_back(std::move(group));
   }
   return groups;
@@ -73,46 +93,46 @@ std::vector<IdentityGroup> read_identity_groups(const std::filesystem::path& set
 
 std::vector<std::pair<int, int>> read_vertex_pairs(const std::filesystem::path& file, std::size_t a_count, std::size_t b_count) {
   std::vector<std::pair<int, int>> pairs;
-  TextLines lines{.file = file};
-  if (!lines.in) throw FileError(fmt::format("{}: cannot be read", file.string()));
-  while (next_entry(lines)) {
+  const std::string content = content_of(file);
+  Text text{file.string(), content};
+  for (std::string_view line; next_entry(text, line);) {
     std::pair<int, int> pair;
-    if (!(std::istringstream(lines.line) >> pair.first >> pair.second)) throw malformed(lines);
-    check_vertex(lines, pair.first, a_count);
-    check_vertex(lines, pair.second, b_count);
+    if (!(std::istringstream(std::string(line)) >> pair.first >> pair.second)) fail_malformed(text, line);
+    check_vertex(text, pair.first, a_count);
+    check_vertex(text, pair.second, b_count);
     pairs.push_back(pair);
   }
-  if (pairs.size() < least_points) throw fault_at(lines, fmt::format("the file ends after {} pairs, and four are needed", pairs.size()));
+  if (pairs.size() < least_points) fail_at_end(text, pairs.size(), "pairs");
   return pairs;
 }
 
 std::vector<Landmark> read_landmarks(const std::filesystem::path& file) {
   std::vector<Landmark> landmarks;
-  TextLines lines{.file = file};
-  if (!lines.in) return landmarks;
-  while (next_entry(lines)) {
+  if (!std::filesystem::exists(file)) return landmarks;
+  const std::string content = content_of(file);
+  Text text{file.string(), content};
+  for (std::string_view line; next_entry(text, line);) {
     Landmark landmark;
     Vec3& p = landmark.position;
-    if (!(std::istringstream(lines.line) >> landmark.name >> p.x() >> p.y() >> p.z())) throw malformed(lines);
+    if (!(std::istringstream(std::string(line)) >> landmark.name >> p.x() >> p.y() >> p.z())) fail_malformed(text, line);
     landmarks.push_back(std::move(landmark));
   }
-  if (landmarks.size() < least_points) {
-    throw fault_at(lines, fmt::format("the file ends after {} landmarks, and four are needed", landmarks.size()));
-  }
+  if (landmarks.size() < least_points) fail_at_end(text, landmarks.size(), "landmarks");
   return landmarks;
 }
 
 std::vector<std::size_t> read_swap(const std::filesystem::path& file, const std::vector<Landmark>& landmarks) {
-  TextLines lines{.file = file};
-  if (!lines.in) return swap_by_names(landmarks);
+  if (!std::filesystem::exists(file)) return swap_by_names(landmarks);
+  const std::string content = content_of(file);
+  Text text{file.string(), content};
   std::vector<std::size_t> swap(landmarks.size());
   std::iota(swap.begin(), swap.end(), std::size_t{0});
-  while (next_entry(lines)) {
-    std::istringstream numbers(lines.line);
+  for (std::string_view line; next_entry(text, line);) {
+    std::istringstream numbers{std::string(line)};
     std::size_t a = 0, b = 0;
-    if (!(numbers >> a) || a >= landmarks.size()) throw malformed(lines);
+    if (!(numbers >> a) || a >= landmarks.size()) fail_malformed(text, line);
     if (!(numbers >> b)) continue;
-    if (b >= landmarks.size()) throw malformed(lines);
+    if (b >= landmarks.size()) fail_malformed(text, line);
     swap[a] = b;
     swap[b] = a;
   }

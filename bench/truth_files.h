@@ -14,13 +14,16 @@ namespace homolog::bench {
 struct IdentityGroup {
   std::vector<std::string> names;
   std::size_t vertices = 0;  ///< the first so many correspond by number
-  int line = 0;              ///< of the file
+  std::size_t line = 0;      ///< of the file
 };
 
 struct Landmark {
   std::string name;
   Vec3 position;
 };
+
+/// All that a file of the folder holds, which may be nothing.
+std::string content_of(const std::filesystem::path& file);
 
 /// IDENTITY.corr.txt of a set: one group of meshes a line. Empty when there is no such file; throws FileError for a
 /// malformed line.
